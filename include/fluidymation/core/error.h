@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace fluidymation {
+
+/// A fault of the input, the options or the disk. The text is one line that says which file or
+/// option, what was found and what was wanted. A broken promise of our own code is an assert.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A contradiction or a value out of range among the options: the call itself is wrong, no file is.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace fluidymation

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "fluidymation/core/image.h"
+
+namespace fluidymation {
+
+/// What an iterative solver did.
+struct SolveReport {
+  int cycles = 0;           ///< V-cycles run
+  float lastChange = 0.0F;  ///< largest change of any value in the last cycle, unit of the field
+  bool converged = true;
+};
+
+/// Spreads values of the border over the interior: solves laplace(u) = 0 on `region`, with
+/// u given where `isBorder` (Dirichlet) and no flux across the edge of the image or towards
+/// pixels outside the region (thesis §3.8).
+///
+///      . . B B B . .      B  border pixel: value given, kept
+///      . B i i i B .      i  interior pixel: solved for
+///      . . B B B . .      .  outside: set to zero
+///
+/// Connected parts of the region (4-neighbours) do not mix; a part without any border pixel gets
+/// zero. Multigrid V-cycles without pre-smoothing, Gauss-Seidel as post-smoothing; stops when no
+/// value changed by more than `tolerance` times the largest border value in one cycle.
+/// @param region    nonzero where u lives.
+/// @param isBorder  nonzero where u is given; a subset of `region`.
+/// @param field     in: values at the border pixels; out: the solution, zero outside the region.
+SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field);
+
+}  // namespace fluidymation

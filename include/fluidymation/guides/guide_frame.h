@@ -1,0 +1,20 @@
+#pragma once
+
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/diffusion.h"
+
+namespace fluidymation {
+
+/// All guides of one frame, of the exemplar or of the target, at full resolution. All images have
+/// the frame's size; distances and motions in px.
+struct GuideFrame {
+  Mask mask;                ///< after smoothing (§4.1)
+  Image<float> distance;    ///< signed, positive inside (§3.4)
+  Image<Vec2> flow;         ///< from the previous frame to this one, px per frame (§3.8)
+  Image<Vec2> direction;    ///< unit direction of the flow, defined on the whole mask
+  Image<Vec2> accForward;   ///< motion accumulated since the start; its length is ext+ (§3.5)
+  Image<Vec2> accBackward;  ///< motion still to come; its length is ext- (§3.5)
+  SolveReport diffusion;    ///< what the flow's solver did
+};
+
+}  // namespace fluidymation

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/guides/mask.h"
+#include "fluidymation/options.h"
+
+namespace fluidymation {
+
+/// Gives the mask of frame i (0-based), as read from the user: before smoothing. Called once for
+/// every frame, in order.
+using MaskReader = std::function<Mask(int frame)>;
+
+/// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
+///
+/// Looking ahead is needed twice: the temporal smoothing wants the distance fields of the next
+/// 3 sigma frames, and ext- the flow of all later frames. The constructor therefore reads all
+/// masks once and stores, packed to one bit a pixel, the smoothed masks, and, for mask pixels only,
+/// the flow and the backward accumulator. A full GuideFrame exists only while the caller holds it.
+class GuideStream {
+ public:
+  /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
+  /// masks may be empty or full. `frameCount` >= 1.
+  GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options);
+
+  [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
+
+  /// Guides of the next frame; must not be called more than `frameCount()` times.
+  [[nodiscard]] GuideFrame next();
+
+ private:
+  struct StoredFrame {
+    PackedMask mask;
+    std::vector<Vec2> flow;         ///< of mask pixels, in row order
+    std::vector<Vec2> accBackward;  ///< likewise
+    SolveReport diffusion;
+  };
+
+  std::vector<StoredFrame> frames_;
+  int nextFrame_ = 0;
+  Image<Vec2> accForward_;  ///< of the frame given last
+  Image<Vec2> direction_;   ///< likewise
+};
+
+}  // namespace fluidymation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fluidymation/core/image.h"
+#include "fluidymation/options.h"
+
+namespace fluidymation {
+
+/// (Gaussian * mask) >= threshold (thesis §4.1): smooth outlines that include a little of the
+/// bare surface. Thin parts, narrower than about 0.7 sigma, vanish. Sigma 0 copies the mask.
+[[nodiscard]] Mask smoothMask(const Mask& mask, const MaskOptions& options);
+
+/// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
+class PackedMask {
+ public:
+  PackedMask() = default;
+  explicit PackedMask(const Mask& mask);
+  [[nodiscard]] Mask unpack() const;
+  [[nodiscard]] Size size() const { return size_; }
+
+ private:
+  Size size_;
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace fluidymation

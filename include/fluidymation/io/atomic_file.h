@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace fluidymation {
+
+/// Accepts bytes of the file being written; throws Error when the disk does not.
+using ByteSink = std::function<void(const void* data, std::size_t byteCount)>;
+
+/// Creates or replaces `path` as one step: `write` fills a temporary file in the same folder, which
+/// is flushed to disk and renamed. When anything fails the temporary file is removed and an
+/// older `path` stays as it was.
+/// @throws Error naming `path` and the system's reason; whatever `write` throws.
+void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write);
+
+/// Creates `folder` and its parents where missing. @throws Error naming the folder.
+void createFolder(const std::string& folder);
+
+}  // namespace fluidymation

@@ -1,0 +1,68 @@
+#include "fluidymation/core/resize.h"
+
+#include <numeric>
+
+#include "support/comparison.h"
+
+namespace fluidymation {
+namespace {
+
+Image<float> ramp(Size size) {
+  Image<float> image(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) image(x, y) = static_cast<float>(3 * x + 7 * y);
+  }
+  return image;
+}
+
+TEST(Resize, EqualSizeCopiesExactly) {
+  const Image<float> image = ramp({7, 5});
+  EXPECT_TRUE(test::nearEverywhere(image, resize(image, image.size()), 0.0F));
+}
+
+TEST(Resize, ConstantStaysConstantForAnySize) {
+  const Image<float> image(Size{9, 4}, 0.625F);
+  for (const Size size : {Size{1, 1}, Size{3, 3}, Size{4, 9}, Size{9, 8}, Size{31, 17}}) {
+    EXPECT_TRUE(test::nearEverywhere(Image<float>(size, 0.625F), resize(image, size), 1e-6F));
+  }
+}
+
+TEST(Resize, HalvingAveragesBlocks) {
+  const Image<float> image = ramp({8, 6});
+  const Image<float> half = resize(image, {4, 3});
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      const float mean = (image(2 * x, 2 * y) + image(2 * x + 1, 2 * y) + image(2 * x, 2 * y + 1) +
+                          image(2 * x + 1, 2 * y + 1)) /
+                         4.0F;
+      EXPECT_NEAR(half(x, y), mean, 1e-4F);
+    }
+  }
+}
+
+TEST(Resize, ShrinkingKeepsTheMean) {
+  const Image<float> image = ramp({10, 10});
+  const Image<float> small = resize(image, {3, 7});
+  const auto mean = [](const Image<float>& i) {
+    return std::accumulate(i.begin(), i.end(), 0.0) / static_cast<double>(i.pixelCount());
+  };
+  EXPECT_NEAR(mean(image), mean(small), 1e-4);
+}
+
+TEST(Resize, GrowingInterpolatesBetweenCentres) {
+  Image<float> image(Size{2, 1});
+  image(1, 0) = 1.0F;
+  const Image<float> grown = resize(image, {4, 1});
+  EXPECT_NEAR(grown(0, 0), 0.0F, 1e-6F);
+  EXPECT_NEAR(grown(1, 0), 0.25F, 1e-6F);
+  EXPECT_NEAR(grown(2, 0), 0.75F, 1e-6F);
+  EXPECT_NEAR(grown(3, 0), 1.0F, 1e-6F);
+}
+
+TEST(Resize, ScaledSizeIsNeverEmpty) {
+  EXPECT_EQ(scaledSize({3, 400}, 0.01), (Size{1, 4}));
+  EXPECT_EQ(scaledSize({1000, 800}, 0.5), (Size{500, 400}));
+}
+
+}  // namespace
+}  // namespace fluidymation
