@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+
+namespace fluidymation {
+
+/// Side of the square patch compared by the search and averaged by the vote, px; thesis §4.4.1.
+inline constexpr int kPatchSize = 5;
+inline constexpr int kPatchRadius = kPatchSize / 2;
+inline constexpr int kPatchArea = kPatchSize * kPatchSize;
+
+/// Channels of one pixel as the patch distance sees them.
+enum Channel : int {
+  kLightness,    ///< CIELAB L, 0..100
+  kGreenRed,     ///< CIELAB a
+  kBlueYellow,   ///< CIELAB b
+  kEdge,         ///< kEdgeScale * min(distance / border width, 1); §3.4
+  kExtForward,   ///< accumulated motion, in units of kExtUnitPx; §3.5
+  kExtBackward,  ///< motion still to come, likewise; §3.5
+  kDirectionX,   ///< unit direction of the flow; not compared, read at the window's centre
+  kDirectionY,
+  kChannelCount
+};
+inline constexpr int kColorChannels = 3;
+
+/// Scales behind the weights of thesis §4.5. The thesis does not say in which units its channels
+/// are compared, and read literally (sRGB in [0, 1], summed over the window) one pixel of motion
+/// extent outweighs a plainly visible colour error: texture falls apart. With colours in CIELAB
+/// and every term a mean over the window, a just visible colour error costs 1 to 3, one pixel of
+/// edge distance at the border 5, five pixels of extent 0.28.
+inline constexpr float kEdgeScale = 10.0F;
+inline constexpr float kExtUnitPx = 3.0F;
+
+/// The edge guide of thesis §3.4 from a signed distance, px; negative outside the mask.
+[[nodiscard]] inline float edgeChannel(float distancePx, float borderWidthPx) {
+  return kEdgeScale * std::min(distancePx / borderWidthPx, 1.0F);
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/synthesis/lanes.h"
+#include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/pyramid.h"
+
+namespace fluidymation {
+
+/// All frames of the exemplar on one pyramid level, with everything the search reads of a pixel
+/// side by side. Volumes are stored frame by frame, row-major.
+class ExemplarLevel {
+ public:
+  ExemplarLevel(Size size, int frameCount, float borderWidthPx);
+
+  /// Fills frame k. `guides` and `color` have this level's size.
+  void setFrame(int frame, const Image<Lab>& color, const GuideLevel& guides);
+
+  /// Completes the level after the last `setFrame`: lists the pixels of each segment.
+  void finish();
+
+  [[nodiscard]] Size size() const { return size_; }
+  [[nodiscard]] int frameCount() const { return frameCount_; }
+
+  [[nodiscard]] const Lanes* frame(int k) const { return pixels_.data() + offset(0, 0, k); }
+  [[nodiscard]] const Lanes& pixel(int x, int y, int k) const { return pixels_[offset(x, y, k)]; }
+  [[nodiscard]] Segment segment(int x, int y, int k) const { return segments_[offset(x, y, k)]; }
+  [[nodiscard]] Vec2 direction(int x, int y, int k) const {
+    const Lanes& p = pixel(x, y, k);
+    return {p[kDirectionX], p[kDirectionY]};
+  }
+
+  /// Whether (x, y) of frame k may be a match's centre for a target pixel of `wanted`: inside the
+  /// image, inside the mask and in that segment. When the exemplar lacks one of the segments at
+  /// this level, any mask pixel serves.
+  [[nodiscard]] bool isLegal(int x, int y, int k, Segment wanted) const {
+    if (x < 0 || y < 0 || x >= size_.width || y >= size_.height) return false;
+    const Segment found = segment(x, y, k);
+    return found == wanted || (!segmented_ && found != Segment::kOutside);
+  }
+  [[nodiscard]] bool isLegal(const Match& match, Segment wanted) const {
+    return match.exists() && isLegal(match.nearestX(), match.nearestY(), match.frame, wanted);
+  }
+
+  /// False when a segment has no pixel at this level: then segments do not constrain matches.
+  [[nodiscard]] bool segmented() const { return segmented_; }
+
+  /// Volume indices of the pixels that may serve a target pixel of this segment; never empty
+  /// unless all masks are.
+  [[nodiscard]] const std::vector<std::uint32_t>& candidates(Segment segment) const;
+
+  struct Position {
+    int x = 0;
+    int y = 0;
+    int frame = 0;
+  };
+  [[nodiscard]] Position position(std::uint32_t volumeIndex) const;
+
+ private:
+  [[nodiscard]] std::size_t offset(int x, int y, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size_.height) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(size_.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  Size size_;
+  int frameCount_;
+  float borderWidthPx_;
+  bool segmented_ = true;
+  std::vector<Lanes> pixels_;
+  std::vector<Segment> segments_;
+  std::vector<std::uint32_t> borderPixels_;
+  std::vector<std::uint32_t> interiorPixels_;
+};
+
+/// The exemplar on all levels, and its accumulated motion at full resolution.
+class Exemplar {
+ public:
+  /// @param coarsest  number of the coarsest level wanted.
+  Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx);
+
+  /// Fills frame k; every frame must be set once before `finish`.
+  void setFrame(int frame, const Image<Lab>& color, const GuideFrame& guides);
+  void finish();
+
+  [[nodiscard]] const ExemplarLevel& level(int l) const {
+    return levels_[static_cast<std::size_t>(l)];
+  }
+  [[nodiscard]] int levelCount() const { return static_cast<int>(levels_.size()); }
+  [[nodiscard]] int frameCount() const { return levels_.front().frameCount(); }
+  [[nodiscard]] float borderWidthPx() const { return borderWidthPx_; }
+
+  /// acc+ and acc- of frame k at full resolution; §3.5.
+  [[nodiscard]] const Image<Vec2>& accForward(int k) const {
+    return accForward_[static_cast<std::size_t>(k)];
+  }
+  [[nodiscard]] const Image<Vec2>& accBackward(int k) const {
+    return accBackward_[static_cast<std::size_t>(k)];
+  }
+
+ private:
+  float borderWidthPx_;
+  std::vector<ExemplarLevel> levels_;
+  std::vector<Image<Vec2>> accForward_;
+  std::vector<Image<Vec2>> accBackward_;
+};
+
+}  // namespace fluidymation

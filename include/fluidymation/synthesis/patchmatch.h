@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "fluidymation/options.h"
+#include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/occurrence.h"
+#include "fluidymation/synthesis/patch_distance.h"
+#include "fluidymation/synthesis/target_level.h"
+
+namespace fluidymation {
+
+/// What a search works on: one level of one frame.
+struct SearchProblem {
+  const ExemplarLevel& exemplar;
+  const ExpectedUse& expectedUse;
+  const TargetLevel& target;
+  const SynthesisOptions& options;
+  Place place;
+};
+
+/// Draws a match for a target pixel at random from its segment, turned so that the flows align
+/// (one of the two ways, see `alignedRotation`).
+[[nodiscard]] Match randomMatch(const SearchProblem& problem, int x, int y, int pass);
+
+/// The rotation that turns the exemplar's flow at (sx, sy, k) into the target's at (x, y); the
+/// search also tries the opposite one (thesis §3.6, §4.3).
+[[nodiscard]] Rotation alignedRotation(const SearchProblem& problem, int x, int y, int sx, int sy,
+                                       int k);
+
+/// Gives every pixel of the mask a match and makes every match legal: missing ones are drawn at
+/// random, illegal ones move to the nearest legal pixel of their frame within kRepairRadiusPx, else
+/// are drawn anew. Pixels outside the mask lose theirs.
+inline constexpr int kRepairRadiusPx = 4;
+void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf);
+
+/// Patch distance plus uniformity term of every existing match; infinite where the match is not
+/// legal or missing. Occurrence is counted from `nnf` itself.
+[[nodiscard]] Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& weights,
+                                       const NearestNeighborField& nnf);
+
+/// findNNF: `iterations` sweeps of PatchMatch (thesis §2.2, §4.3, §4.4.2). All matches must be
+/// legal before; they are after.
+///
+/// Tiles are cut from the image, never from the thread count, and the result does not depend on
+/// it: across a tile's edge neighbours are read as they were before the sweep, and occurrence
+/// is read as of before the sweep plus the tile's own changes.
+/// @param firstPass  number of the first sweep within this level of this frame: every sweep has its
+///   own random numbers, and the scan order alternates with it.
+void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
+                          int iterations, int firstPass, NearestNeighborField& nnf);
+
+}  // namespace fluidymation

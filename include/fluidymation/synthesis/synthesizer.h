@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/options.h"
+#include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/occurrence.h"
+#include "fluidymation/synthesis/target_level.h"
+
+namespace fluidymation {
+
+/// Paints a target frame by frame: Algorithm 2 of the thesis (§3.9, §4.2).
+class Synthesizer {
+ public:
+  /// @param exemplar  finished; must outlive the synthesizer; with at least as many levels as
+  ///   `coarsestLevel` of its size and the target's.
+  Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options);
+
+  /// Paints the next frame; all frames have one size. An empty mask gives an empty picture, and
+  /// the frame after it starts afresh.
+  /// @return  the picture in CIELAB, meaningful inside the mask only.
+  [[nodiscard]] Image<Lab> paint(const GuideFrame& target);
+
+  /// Full-resolution matches of the frame painted last.
+  [[nodiscard]] const NearestNeighborField& nnf() const { return nnf_; }
+
+ private:
+  /// One level of one frame: initial field, then search and vote in turn; `target.picture` holds
+  /// the last vote.
+  [[nodiscard]] NearestNeighborField optimizedField(int level, const NearestNeighborField& coarser,
+                                                    const NearestNeighborField& shifted, bool fresh,
+                                                    TargetLevel& target) const;
+
+  const Exemplar& exemplar_;
+  SynthesisOptions options_;
+  std::vector<ExpectedUse> expectedUse_;  ///< per level
+  NearestNeighborField nnf_;
+  int frame_ = 0;
+};
+
+}  // namespace fluidymation

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "fluidymation/synthesis/pyramid.h"
+
+namespace fluidymation {
+
+/// One frame of the target on one pyramid level: the guides in the exemplar's units, the picture
+/// as it stands, and what the previous frame says. All images have the level's size.
+struct TargetLevel {
+  TargetLevel(const GuideLevel& guides, float borderWidthPx);
+
+  Image<Segment> segment;
+  Image<float> edge;         ///< Channel::kEdge
+  Image<float> extForward;   ///< Channel::kExtForward
+  Image<float> extBackward;  ///< Channel::kExtBackward
+  Image<Vec2> direction;
+  Image<float> clampedDistancePx;  ///< min(distance, border width), for the temporal modulation
+
+  Image<Lab> picture;       ///< T^rgb, in CIELAB; changes with every vote
+  Image<Lab> previous;      ///< T^prev (§3.7)
+  Mask hasPrevious;         ///< where T^prev exists
+  Image<float> modulation;  ///< m(q) in [0, 1]; 0 without previous match
+
+  [[nodiscard]] Size size() const { return segment.size(); }
+  [[nodiscard]] bool inside(int x, int y) const { return segment(x, y) != Segment::kOutside; }
+
+  /// Pixels of a segment; Segment::kOutside is not counted.
+  [[nodiscard]] std::size_t count(Segment which) const {
+    return which == Segment::kInterior ? interiorCount : borderCount;
+  }
+
+  std::size_t borderCount = 0;
+  std::size_t interiorCount = 0;
+};
+
+}  // namespace fluidymation

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/options.h"
+#include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/target_level.h"
+
+namespace fluidymation {
+
+/// Whether source and target move roughly in opposite directions under a match (thesis §3.5). Unit
+/// directions are compared, so that material at rest keeps the answer of its last movement.
+[[nodiscard]] inline bool isOpposite(Vec2 targetDirection, Vec2 sourceDirection,
+                                     const Rotation& rotation) {
+  return dot(targetDirection, rotation.apply(sourceDirection)) < 0.0F;
+}
+
+/// shiftNNF (thesis §3.7): every match of the previous frame keeps its place and moves along the
+/// exemplar's time, to the frame whose accumulated motion differs from the match's by what the
+/// target moves in this step: forwards along acc+, or backwards along acc- where the directions are
+/// opposite. The smallest step wins ties; the walk stops where the place leaves the exemplar's mask
+/// and at the sequence's ends. The documents print differences of norms for the target's
+/// movement; they turn negative where motion turns back, and nothing would ever shift.
+/// @param target  guides of the new frame, full resolution.
+/// @return  matches for pixels of the new mask that had one before.
+[[nodiscard]] NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
+                                         const NearestNeighborField& previous);
+
+/// 0 for v <= 0, 1 for v >= 1, 3v^2 - 2v^3 between, with v = (x - l) / (u - l); l > u falls.
+[[nodiscard]] float smoothstep(float x, float l, float u);
+
+/// Fills previous, hasPrevious and modulation of `target` from the shifted matches at its level:
+/// T^prev is their vote, m(q) = smoothstep(|T^dist - S^dist|, m_u, m_l) with both distances clamped
+/// at the border width (unclamped, coherence is lost deep inside every target that is thicker than
+/// the exemplar), 0 without match (§3.7).
+void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const ModulationBounds& bounds,
+                 const NearestNeighborField& shifted, TargetLevel& target);
+
+}  // namespace fluidymation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/nnf.h"
+
+namespace fluidymation {
+
+struct VotedPicture {
+  Image<Lab> color;
+  Mask exists;  ///< pixels inside the mask that at least one window covers
+};
+
+/// The voting step (thesis §2.1.2): every pixel q inside becomes the mean, over the windows that
+/// cover it, of their source pixel at q: (x, y)_n + R_-theta_n (q - n), bilinear. Windows without a
+/// match do not vote. Colours are averaged in CIELAB, the space in which they are compared.
+/// @param segment  the picture is wanted where it is not Segment::kOutside; size of `nnf`.
+[[nodiscard]] VotedPicture vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
+                                const NearestNeighborField& nnf);
+
+}  // namespace fluidymation

@@ -1,0 +1,82 @@
+#include "fluidymation/synthesis/exemplar.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "fluidymation/core/parallel.h"
+
+namespace fluidymation {
+
+ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx)
+    : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx) {
+  const std::size_t volume = offset(0, 0, frameCount);
+  pixels_.resize(volume);
+  segments_.resize(volume, Segment::kOutside);
+}
+
+void ExemplarLevel::setFrame(int frame, const Image<Lab>& color, const GuideLevel& guides) {
+  assert(color.size() == size_ && guides.mask.size() == size_);
+  forEachRow(size_.height, [&](int y) {
+    for (int x = 0; x < size_.width; ++x) {
+      const Lab lab = color(x, y);
+      const Vec2 direction = guides.direction(x, y);
+      Lanes& pixel = pixels_[offset(x, y, frame)];
+      pixel.low = Float4{lab.l, lab.a, lab.b, edgeChannel(guides.distance(x, y), borderWidthPx_)};
+      pixel.high = Float4{guides.extForward(x, y) / kExtUnitPx,
+                          guides.extBackward(x, y) / kExtUnitPx, direction.x, direction.y};
+      segments_[offset(x, y, frame)] = guides.segment(x, y, borderWidthPx_);
+    }
+  });
+}
+
+void ExemplarLevel::finish() {
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (segments_[i] == Segment::kOutside) continue;
+    (segments_[i] == Segment::kBorder ? borderPixels_ : interiorPixels_)
+        .push_back(static_cast<std::uint32_t>(i));
+  }
+  segmented_ = !borderPixels_.empty() && !interiorPixels_.empty();
+}
+
+const std::vector<std::uint32_t>& ExemplarLevel::candidates(Segment segment) const {
+  if (segmented_) return segment == Segment::kBorder ? borderPixels_ : interiorPixels_;
+  return borderPixels_.empty() ? interiorPixels_ : borderPixels_;
+}
+
+ExemplarLevel::Position ExemplarLevel::position(std::uint32_t volumeIndex) const {
+  const auto width = static_cast<std::uint32_t>(size_.width);
+  const auto height = static_cast<std::uint32_t>(size_.height);
+  const std::uint32_t row = volumeIndex / width;
+  return {static_cast<int>(volumeIndex % width), static_cast<int>(row % height),
+          static_cast<int>(row / height)};
+}
+
+Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx)
+    : borderWidthPx_(borderWidthPx) {
+  for (int l = 0; l <= coarsest; ++l) {
+    levels_.emplace_back(size, frameCount, borderWidthPx);
+    size = halvedSize(size);
+  }
+  accForward_.resize(static_cast<std::size_t>(frameCount));
+  accBackward_.resize(static_cast<std::size_t>(frameCount));
+}
+
+void Exemplar::setFrame(int frame, const Image<Lab>& color, const GuideFrame& guides) {
+  GuideLevel guideLevel = finestLevel(guides);
+  Image<Lab> colorLevel = color.clone();
+  for (int l = 0; l < levelCount(); ++l) {
+    if (l > 0) {
+      guideLevel = halve(guideLevel);
+      colorLevel = halve(colorLevel);
+    }
+    levels_[static_cast<std::size_t>(l)].setFrame(frame, colorLevel, guideLevel);
+  }
+  accForward_[static_cast<std::size_t>(frame)] = guides.accForward.clone();
+  accBackward_[static_cast<std::size_t>(frame)] = guides.accBackward.clone();
+}
+
+void Exemplar::finish() {
+  for (ExemplarLevel& level : levels_) level.finish();
+}
+
+}  // namespace fluidymation

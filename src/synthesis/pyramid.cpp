@@ -1,0 +1,115 @@
+#include "fluidymation/synthesis/pyramid.h"
+
+#include <algorithm>
+#include <array>
+
+#include "fluidymation/core/parallel.h"
+#include "fluidymation/guides/direction.h"
+#include "fluidymation/synthesis/channels.h"
+
+namespace fluidymation {
+namespace {
+
+/// Mean directions shorter than this cancel each other; the first one is taken instead.
+constexpr float kCancelledLength = 1e-3F;
+
+Vec2 levelDirection(Vec2 flow, Vec2 meanDirection, Vec2 first) {
+  const float speed = length(flow);
+  if (speed >= kStillPxPerFrame) return (1.0F / speed) * flow;
+  const float agreement = length(meanDirection);
+  return agreement > kCancelledLength ? (1.0F / agreement) * meanDirection : first;
+}
+
+Lab weighted(const std::array<Lab, 4>& c) {
+  constexpr float kOuter = 1.0F / 8.0F;
+  constexpr float kInner = 3.0F / 8.0F;
+  return {kOuter * (c[0].l + c[3].l) + kInner * (c[1].l + c[2].l),
+          kOuter * (c[0].a + c[3].a) + kInner * (c[1].a + c[2].a),
+          kOuter * (c[0].b + c[3].b) + kInner * (c[1].b + c[2].b)};
+}
+
+}  // namespace
+
+int coarsestLevel(Size source, Size target) {
+  const int smallest = std::min({source.width, source.height, target.width, target.height});
+  int level = 0;
+  while (kPatchSize << (level + 1) <= smallest) ++level;
+  return level;
+}
+
+Size halvedSize(Size size) { return {(size.width + 1) / 2, (size.height + 1) / 2}; }
+
+GuideLevel finestLevel(const GuideFrame& frame) {
+  GuideLevel level{frame.mask.clone(),
+                   frame.distance.clone(),
+                   Image<float>(frame.mask.size()),
+                   Image<float>(frame.mask.size()),
+                   frame.flow.clone(),
+                   frame.direction.clone()};
+  std::transform(frame.accForward.begin(), frame.accForward.end(), level.extForward.begin(),
+                 [](Vec2 acc) { return length(acc); });
+  std::transform(frame.accBackward.begin(), frame.accBackward.end(), level.extBackward.begin(),
+                 [](Vec2 acc) { return length(acc); });
+  return level;
+}
+
+GuideLevel halve(const GuideLevel& fine) {
+  const Size size = halvedSize(fine.mask.size());
+  GuideLevel coarse{Mask(size),         Image<float>(size), Image<float>(size),
+                    Image<float>(size), Image<Vec2>(size),  Image<Vec2>(size)};
+  forEachRow(size.height, [&](int y) {
+    for (int x = 0; x < size.width; ++x) {
+      int covered = 0;
+      int inside = 0;
+      float distance = 0.0F;
+      float extForward = 0.0F;
+      float extBackward = 0.0F;
+      Vec2 flow;
+      Vec2 direction;
+      Vec2 firstDirection;
+      for (int i = 0; i < 4; ++i) {
+        const int fx = 2 * x + i % 2;
+        const int fy = 2 * y + i / 2;
+        if (!fine.mask.contains(fx, fy)) continue;
+        ++covered;
+        distance += fine.distance(fx, fy);
+        if (fine.mask(fx, fy) == 0) continue;
+        if (inside++ == 0) firstDirection = fine.direction(fx, fy);
+        extForward += fine.extForward(fx, fy);
+        extBackward += fine.extBackward(fx, fy);
+        flow += fine.flow(fx, fy);
+        direction += fine.direction(fx, fy);
+      }
+      coarse.distance(x, y) = distance / static_cast<float>(covered);
+      if (inside == 0) continue;
+      const float share = 1.0F / static_cast<float>(inside);
+      coarse.mask(x, y) = 1;
+      coarse.extForward(x, y) = share * extForward;
+      coarse.extBackward(x, y) = share * extBackward;
+      coarse.flow(x, y) = share * flow;
+      coarse.direction(x, y) = levelDirection(share * flow, share * direction, firstDirection);
+    }
+  });
+  return coarse;
+}
+
+Image<Lab> halve(const Image<Lab>& fine) {
+  const Size size = halvedSize(fine.size());
+  Image<Lab> narrow(Size{size.width, fine.height()});
+  forEachRow(fine.height(), [&](int y) {
+    for (int x = 0; x < size.width; ++x) {
+      narrow(x, y) = weighted({fine.clamped(2 * x - 1, y), fine.clamped(2 * x, y),
+                               fine.clamped(2 * x + 1, y), fine.clamped(2 * x + 2, y)});
+    }
+  });
+  Image<Lab> coarse(size);
+  forEachRow(size.height, [&](int y) {
+    for (int x = 0; x < size.width; ++x) {
+      coarse(x, y) = weighted({narrow.clamped(x, 2 * y - 1), narrow.clamped(x, 2 * y),
+                               narrow.clamped(x, 2 * y + 1), narrow.clamped(x, 2 * y + 2)});
+    }
+  });
+  return coarse;
+}
+
+}  // namespace fluidymation

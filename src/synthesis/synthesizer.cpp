@@ -1,0 +1,138 @@
+#include "fluidymation/synthesis/synthesizer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "fluidymation/core/parallel.h"
+#include "fluidymation/synthesis/nnf_scaling.h"
+#include "fluidymation/synthesis/patchmatch.h"
+#include "fluidymation/synthesis/pyramid.h"
+#include "fluidymation/synthesis/temporal.h"
+#include "fluidymation/synthesis/vote.h"
+
+namespace fluidymation {
+namespace {
+
+// Numbers of the random passes besides the sweeps of the search, which count up from 0.
+constexpr int kRandomFieldPass = -1;
+constexpr int kRepairPass = -2;
+
+/// Value of an iteration list on a level: coarsest first, the last one repeats (§4.5).
+int valueAt(const std::vector<int>& list, int level, int coarsest) {
+  const auto fromCoarsest = static_cast<std::size_t>(coarsest - level);
+  return list[std::min(fromCoarsest, list.size() - 1)];
+}
+
+bool hasAnyMatch(const NearestNeighborField& nnf) {
+  return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
+}
+
+/// mergeNNF (§3.9): per pixel the match with the smaller error. Each field is measured against its
+/// own vote and with its own occurrence map; an illegal match loses.
+NearestNeighborField merge(const SearchProblem& problem, const DistanceWeights& weights,
+                           const NearestNeighborField& upscaled,
+                           const NearestNeighborField& downscaled, TargetLevel& target) {
+  target.picture = vote(problem.exemplar, target.segment, upscaled).color;
+  const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled);
+
+  // Where no window of the previous frame reaches, its picture is continued by the other one.
+  const VotedPicture remembered = vote(problem.exemplar, target.segment, downscaled);
+  forEachRow(target.size().height, [&](int y) {
+    for (int x = 0; x < target.size().width; ++x) {
+      if (remembered.exists(x, y) != 0) target.picture(x, y) = remembered.color(x, y);
+    }
+  });
+  const Image<float> downscaledErrors = matchErrors(problem, weights, downscaled);
+
+  NearestNeighborField merged = upscaled.clone();
+  forEachRow(merged.height(), [&](int y) {
+    for (int x = 0; x < merged.width(); ++x) {
+      if (downscaledErrors(x, y) < upscaledErrors(x, y)) merged(x, y) = downscaled(x, y);
+    }
+  });
+  return merged;
+}
+
+}  // namespace
+
+Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options)
+    : exemplar_(exemplar), options_(options) {
+  for (int l = 0; l < exemplar.levelCount(); ++l) {
+    expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
+  }
+}
+
+Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
+  const int coarsest = exemplar_.levelCount() - 1;
+  NearestNeighborField shifted =
+      nnf_.empty() ? NearestNeighborField(frame.mask.size()) : shift(exemplar_, frame, nnf_);
+  const bool fresh = !hasAnyMatch(shifted);
+
+  std::vector<GuideLevel> guides;
+  guides.push_back(finestLevel(frame));
+  for (int l = 1; l <= coarsest; ++l) guides.push_back(halve(guides.back()));
+
+  NearestNeighborField nnf(frame.mask.size());
+  Image<Lab> picture(frame.mask.size());
+  if (countInside(frame.mask) > 0) {
+    for (int l = coarsest; l >= 0; --l) {
+      TargetLevel target(guides[static_cast<std::size_t>(l)], options_.borderWidthPx);
+      // The finest level is only upscaled and voted (§4.4.3), unless it is the only one.
+      if (l == 0 && coarsest > 0) {
+        nnf = upscale(nnf, target.segment);
+        picture = vote(exemplar_.level(l), target.segment, nnf).color;
+      } else {
+        nnf = optimizedField(l, nnf, shifted, fresh, target);
+        picture = std::move(target.picture);
+      }
+    }
+  }
+  nnf_ = std::move(nnf);
+  ++frame_;
+  return picture;
+}
+
+NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighborField& coarser,
+                                                 const NearestNeighborField& shifted, bool fresh,
+                                                 TargetLevel& target) const {
+  const ExemplarLevel& exemplar = exemplar_.level(level);
+  const SearchProblem problem{exemplar, expectedUse_[static_cast<std::size_t>(level)], target,
+                              options_, Place{frame_, level}};
+  const int coarsest = exemplar_.levelCount() - 1;
+  const int searchIterations = valueAt(options_.patchmatchIterations, level, coarsest);
+  const DistanceWeights weights{1.0F, options_.distWeight, options_.flowWeight,
+                                options_.prevWeight};
+  int pass = 0;
+  const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
+    findNearestNeighbors(problem, w, searchIterations, pass, nnf);
+    pass += searchIterations;
+  };
+
+  // Start from the previous frame, from the coarser level, or where both exist from the better one.
+  NearestNeighborField nnf(target.size());
+  if (fresh) {
+    if (level == coarsest) {
+      repair(problem, kRandomFieldPass, nnf);
+      search({0.0F, weights.dist, weights.flow, 0.0F}, nnf);  // guides alone place it (§4.2)
+    } else {
+      nnf = upscale(coarser, target.segment);
+    }
+  } else {
+    NearestNeighborField downscaled = downscale(shifted, level);
+    setPrevious(exemplar, options_.borderWidthPx, options_.prevModulation, downscaled, target);
+    nnf = level == coarsest
+              ? std::move(downscaled)
+              : merge(problem, weights, upscale(coarser, target.segment), downscaled, target);
+  }
+  repair(problem, kRepairPass, nnf);
+
+  // Alternate search and vote; the picture and the field improve each other (§3.2).
+  target.picture = vote(exemplar, target.segment, nnf).color;
+  for (int i = 0; i < valueAt(options_.optIterations, level, coarsest); ++i) {
+    search(weights, nnf);
+    target.picture = vote(exemplar, target.segment, nnf).color;
+  }
+  return nnf;
+}
+
+}  // namespace fluidymation
