@@ -18,4 +18,8 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
 /// Creates `folder` and its parents where missing. @throws Error naming the folder.
 void createFolder(const std::string& folder);
 
+/// Makes sure that files can be created in `folder`, before any work is done.
+/// @throws Error naming the folder and the system's reason.
+void checkFolderWritable(const std::string& folder);
+
 }  // namespace fluidymation
