@@ -1,0 +1,200 @@
+#include "fluidymation/synthesis/patchmatch.h"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "support/synthetic_scene.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr float kBorderWidthPx = 5.0F;
+
+/// A small search: the target is one frame of another disc with a texture of its own.
+class PatchMatchTest : public ::testing::Test {
+ protected:
+  PatchMatchTest() { target_.picture = test::randomTexture(targetDisc_.size, 21); }
+
+  [[nodiscard]] SearchProblem problem() const {
+    return {exemplar_.level(0), expectedUse_, target_, options_, Place{3, 1}};
+  }
+
+  [[nodiscard]] NearestNeighborField randomField() const {
+    NearestNeighborField nnf(target_.size());
+    repair(problem(), -1, nnf);
+    return nnf;
+  }
+
+  [[nodiscard]] double energy(const NearestNeighborField& nnf) const {
+    const Image<float> errors = matchErrors(problem(), weights_, nnf);
+    double sum = 0.0;
+    for (int y = 0; y < errors.height(); ++y) {
+      for (int x = 0; x < errors.width(); ++x) {
+        if (target_.inside(x, y)) sum += errors(x, y);
+      }
+    }
+    return sum;
+  }
+
+  test::GrowingDisc sourceDisc_{Size{40, 36}, {20.0F, 18.0F}, 9.0F, 1.0F, 6};
+  test::GrowingDisc targetDisc_{Size{90, 80}, {45.0F, 40.0F}, 30.0F, 1.0F, 3};
+  Exemplar exemplar_ = test::discExemplar(sourceDisc_, 0, kBorderWidthPx, 20);
+  ExpectedUse expectedUse_{exemplar_.level(0), 10};
+  TargetLevel target_{finestLevel(targetDisc_.guides(1)), kBorderWidthPx};
+  SynthesisOptions options_;
+  DistanceWeights weights_;
+};
+
+TEST_F(PatchMatchTest, EveryMatchIsLegal) {
+  NearestNeighborField nnf = randomField();
+  findNearestNeighbors(problem(), weights_, 4, 0, nnf);
+  for (int y = 0; y < nnf.height(); ++y) {
+    for (int x = 0; x < nnf.width(); ++x) {
+      ASSERT_EQ(nnf(x, y).exists(), target_.inside(x, y));
+      if (!target_.inside(x, y)) continue;
+      ASSERT_TRUE(exemplar_.level(0).isLegal(nnf(x, y), target_.segment(x, y))) << x << ' ' << y;
+      ASSERT_NEAR(std::hypot(nnf(x, y).rotation.cosine, nnf(x, y).rotation.sine), 1.0F, 1e-4F);
+    }
+  }
+}
+
+TEST_F(PatchMatchTest, NoPixelGetsWorseWithoutUniformityWhileThePictureStays) {
+  options_.lambda = 0.0F;
+  NearestNeighborField nnf = randomField();
+  Image<float> before = matchErrors(problem(), weights_, nnf);
+  for (int pass = 0; pass < 5; ++pass) {
+    findNearestNeighbors(problem(), weights_, 1, pass, nnf);
+    Image<float> after = matchErrors(problem(), weights_, nnf);
+    int improved = 0;
+    for (int y = 0; y < nnf.height(); ++y) {
+      for (int x = 0; x < nnf.width(); ++x) {
+        if (!target_.inside(x, y)) continue;
+        ASSERT_LE(after(x, y), before(x, y)) << "pass " << pass << " at " << x << ", " << y;
+        improved += after(x, y) < before(x, y) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(improved, 0) << "pass " << pass;
+    before = std::move(after);
+  }
+}
+
+TEST_F(PatchMatchTest, ComesCloseToBruteForceOnASmallCase) {
+  options_.lambda = 0.0F;
+  NearestNeighborField nnf = randomField();
+  findNearestNeighbors(problem(), weights_, 8, 0, nnf);
+  const Image<float> found = matchErrors(problem(), weights_, nnf);
+  const PatchDistance distance(exemplar_.level(0), target_, weights_);
+  double bruteSum = 0.0;
+  double foundSum = 0.0;
+  TargetWindow window;
+  for (int y = 10; y < 70; y += 6) {
+    for (int x = 15; x < 75; x += 6) {
+      if (!target_.inside(x, y)) continue;
+      distance.gather(x, y, window);
+      float best = INFINITY;
+      for (const std::uint32_t i : exemplar_.level(0).candidates(target_.segment(x, y))) {
+        const ExemplarLevel::Position p = exemplar_.level(0).position(i);
+        const Rotation aligned = alignedRotation(problem(), x, y, p.x, p.y, p.frame);
+        for (const Rotation& rotation : {aligned, aligned.opposite()}) {
+          const Match match{static_cast<float>(p.x), static_cast<float>(p.y), p.frame, rotation};
+          best = std::min(best, distance(window, match, INFINITY));
+        }
+      }
+      bruteSum += best;
+      foundSum += found(x, y);
+    }
+  }
+  // Propagated matches have rotations and sub-pixel positions that the brute force does not try,
+  // so that the search may even win.
+  EXPECT_LT(foundSum, 1.1 * bruteSum);
+}
+
+TEST_F(PatchMatchTest, UniformityLowersTheEnergyAndSpreadsTheUse) {
+  const auto mostUsed = [&](float lambda) {
+    options_.lambda = lambda;
+    NearestNeighborField nnf = randomField();
+    findNearestNeighbors(problem(), weights_, 6, 0, nnf);
+    OccurrenceMap map(sourceDisc_.size, sourceDisc_.frameCount, options_.occRadiusFrames);
+    map.rebuild(nnf);
+    double sum = 0.0;
+    for (const Match& match : nnf) sum += match.exists() ? map.windowSum(match) : 0.0;
+    return sum;
+  };
+  EXPECT_LT(mostUsed(50.0F), 0.8 * mostUsed(0.0F));
+}
+
+TEST_F(PatchMatchTest, EnergyFallsWithTheDefaultUniformityToo) {
+  NearestNeighborField nnf = randomField();
+  const double before = energy(nnf);
+  findNearestNeighbors(problem(), weights_, 4, 0, nnf);
+  EXPECT_LT(energy(nnf), 0.6 * before);
+}
+
+TEST_F(PatchMatchTest, SameBytesForAnyNumberOfThreads) {
+  const int defaultThreads = omp_get_max_threads();
+  NearestNeighborField reference;
+  for (const int threads : {1, 2, 7}) {
+    SCOPED_TRACE(threads);
+    omp_set_num_threads(threads);
+    NearestNeighborField nnf = randomField();
+    findNearestNeighbors(problem(), weights_, 3, 0, nnf);
+    if (reference.empty()) {
+      reference = std::move(nnf);
+    } else {
+      EXPECT_EQ(std::memcmp(reference.data(), nnf.data(), nnf.pixelCount() * sizeof(Match)), 0);
+    }
+  }
+  omp_set_num_threads(defaultThreads);
+}
+
+TEST_F(PatchMatchTest, AnotherSeedFindsAnotherField) {
+  NearestNeighborField first = randomField();
+  findNearestNeighbors(problem(), weights_, 1, 0, first);
+  options_.seed = 1;
+  NearestNeighborField second = randomField();
+  findNearestNeighbors(problem(), weights_, 1, 0, second);
+  EXPECT_NE(std::memcmp(first.data(), second.data(), first.pixelCount() * sizeof(Match)), 0);
+}
+
+TEST_F(PatchMatchTest, RepairMovesIllegalMatchesToTheNearestLegalPixel) {
+  NearestNeighborField nnf = randomField();
+  // Interior target pixel, match 2 px inside the exemplar's rim: border segment (radius 12 at
+  // frame 3, interior up to 7 px from the centre).
+  ASSERT_EQ(target_.segment(45, 40), Segment::kInterior);
+  nnf(45, 40) = {30.0F, 18.0F, 3, {0.0F, 1.0F}};
+  repair(problem(), -2, nnf);
+  EXPECT_EQ(nnf(45, 40).frame, 3);
+  EXPECT_NEAR(nnf(45, 40).x, 27.0F, 1.0F);
+  EXPECT_NEAR(nnf(45, 40).y, 18.0F, 1.0F);
+  EXPECT_EQ(nnf(45, 40).rotation.sine, 1.0F);  // kept
+  EXPECT_TRUE(exemplar_.level(0).isLegal(nnf(45, 40), Segment::kInterior));
+}
+
+TEST_F(PatchMatchTest, RepairDrawsAnewWhatIsFarFromLegal) {
+  NearestNeighborField nnf = randomField();
+  nnf(45, 40) = {0.0F, 0.0F, 0, Rotation{}};
+  nnf(0, 0) = {20.0F, 18.0F, 0, Rotation{}};  // outside the target's mask
+  repair(problem(), -2, nnf);
+  EXPECT_TRUE(exemplar_.level(0).isLegal(nnf(45, 40), Segment::kInterior));
+  EXPECT_FALSE(nnf(0, 0).exists());
+}
+
+TEST_F(PatchMatchTest, WithoutInteriorInTheExemplarAnyMaskPixelServes) {
+  const test::GrowingDisc thin{Size{40, 36}, {20.0F, 18.0F}, 4.0F, 0.0F, 2};
+  const Exemplar exemplar = test::discExemplar(thin, 0, kBorderWidthPx, 20);
+  const ExpectedUse expectedUse(exemplar.level(0), 10);
+  ASSERT_FALSE(exemplar.level(0).segmented());
+  const SearchProblem problem{exemplar.level(0), expectedUse, target_, options_, Place{}};
+  NearestNeighborField nnf(target_.size());
+  repair(problem, -1, nnf);
+  findNearestNeighbors(problem, weights_, 2, 0, nnf);
+  EXPECT_TRUE(nnf(45, 40).exists());
+  EXPECT_TRUE(std::isfinite(matchErrors(problem, weights_, nnf)(45, 40)));
+}
+
+}  // namespace
+}  // namespace fluidymation

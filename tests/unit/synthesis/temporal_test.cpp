@@ -1,0 +1,118 @@
+#include "fluidymation/synthesis/temporal.h"
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_scene.h"
+
+namespace fluidymation {
+namespace {
+
+TEST(Smoothstep, RisesFallsAndSaturates) {
+  EXPECT_EQ(smoothstep(-1.0F, 0.0F, 2.0F), 0.0F);
+  EXPECT_EQ(smoothstep(3.0F, 0.0F, 2.0F), 1.0F);
+  EXPECT_FLOAT_EQ(smoothstep(1.0F, 0.0F, 2.0F), 0.5F);
+  EXPECT_FLOAT_EQ(smoothstep(0.5F, 0.0F, 2.0F), 3.0F / 16.0F - 2.0F / 64.0F);
+}
+
+TEST(Smoothstep, SwappedBoundsFallAsTheModulationNeeds) {
+  // |T^dist - S^dist| of 2 px and less keeps the previous frame in full, 10 px and more drops it.
+  EXPECT_EQ(smoothstep(0.0F, 10.0F, 2.0F), 1.0F);
+  EXPECT_EQ(smoothstep(2.0F, 10.0F, 2.0F), 1.0F);
+  EXPECT_FLOAT_EQ(smoothstep(6.0F, 10.0F, 2.0F), 0.5F);
+  EXPECT_EQ(smoothstep(10.0F, 10.0F, 2.0F), 0.0F);
+  EXPECT_EQ(smoothstep(99.0F, 10.0F, 2.0F), 0.0F);
+}
+
+/// An exemplar disc that grows by 1 px per frame, and a target whose every pixel moves right by
+/// `targetSpeed`; the match sits on the exemplar's x axis, right of the centre.
+class Shift : public ::testing::Test {
+ protected:
+  test::GrowingDisc disc_{Size{48, 40}, {24.0F, 20.0F}, 6.0F, 1.0F, 10};
+  Exemplar exemplar_ = test::discExemplar(disc_, 0, 5.0F, 1);
+
+  [[nodiscard]] int shiftedFrame(float targetSpeed, int startFrame, bool opposite) const {
+    const Size one{1, 1};
+    GuideFrame target{Mask(one, 1),
+                      Image<float>(one, 5.0F),
+                      Image<Vec2>(one, Vec2{targetSpeed, 0.0F}),
+                      Image<Vec2>(one, Vec2{1.0F, 0.0F}),
+                      Image<Vec2>(one),
+                      Image<Vec2>(one),
+                      SolveReport{}};
+    // The exemplar flows to the right at (28, 20); turned by pi it runs against the target.
+    const Rotation rotation = opposite ? Rotation{-1.0F, 0.0F} : Rotation{};
+    const NearestNeighborField previous(one, Match{28.0F, 20.0F, startFrame, rotation});
+    return shift(exemplar_, target, previous)(0, 0).frame;
+  }
+};
+
+TEST_F(Shift, ForwardLandsWhereTheExemplarMovedAsFar) {
+  EXPECT_EQ(shiftedFrame(1.0F, 2, false), 3);
+  EXPECT_EQ(shiftedFrame(3.0F, 2, false), 5);
+  EXPECT_EQ(shiftedFrame(2.6F, 2, false), 5);
+  EXPECT_EQ(shiftedFrame(2.4F, 2, false), 4);
+}
+
+TEST_F(Shift, OppositeDirectionsWalkBackwards) {
+  EXPECT_EQ(shiftedFrame(1.0F, 5, true), 4);
+  EXPECT_EQ(shiftedFrame(3.0F, 5, true), 2);
+}
+
+TEST_F(Shift, StillTargetsKeepTheField) {
+  EXPECT_EQ(shiftedFrame(0.0F, 4, false), 4);
+  EXPECT_EQ(shiftedFrame(0.0F, 4, true), 4);
+}
+
+TEST_F(Shift, TiesGoToTheSmallestStep) { EXPECT_EQ(shiftedFrame(0.5F, 4, false), 4); }
+
+TEST_F(Shift, TheWalkStopsAtTheSequencesEnds) {
+  EXPECT_EQ(shiftedFrame(100.0F, 5, false), 9);
+  EXPECT_EQ(shiftedFrame(100.0F, 5, true), 0);
+}
+
+TEST_F(Shift, TheWalkStopsWhereThePlaceLeavesTheMask) {
+  // (34, 20) is 10 px from the centre: inside from radius 11 on, that is from frame 5.
+  const Size one{1, 1};
+  GuideFrame target{Mask(one, 1),
+                    Image<float>(one, 5.0F),
+                    Image<Vec2>(one, Vec2{9.0F, 0.0F}),
+                    Image<Vec2>(one, Vec2{1.0F, 0.0F}),
+                    Image<Vec2>(one),
+                    Image<Vec2>(one),
+                    SolveReport{}};
+  const NearestNeighborField previous(one, Match{34.0F, 20.0F, 8, Rotation{-1.0F, 0.0F}});
+  EXPECT_EQ(shift(exemplar_, target, previous)(0, 0).frame, 5);
+}
+
+TEST_F(Shift, PixelsOutsideTheNewMaskAndPixelsWithoutMatchGetNone) {
+  const Size two{2, 1};
+  GuideFrame target{Mask(two),        Image<float>(two), Image<Vec2>(two), Image<Vec2>(two),
+                    Image<Vec2>(two), Image<Vec2>(two),  SolveReport{}};
+  target.mask(1, 0) = 1;
+  NearestNeighborField previous(two);
+  previous(0, 0) = {28.0F, 20.0F, 2, Rotation{}};
+  const NearestNeighborField shifted = shift(exemplar_, target, previous);
+  EXPECT_FALSE(shifted(0, 0).exists());
+  EXPECT_FALSE(shifted(1, 0).exists());
+}
+
+TEST(SetPrevious, ModulationComparesClampedDistances) {
+  const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
+  constexpr float kBorderWidthPx = 10.0F;
+  const Exemplar exemplar = test::discExemplar(disc, 0, kBorderWidthPx, 1);
+  TargetLevel target(finestLevel(disc.guides(0)), kBorderWidthPx);
+  NearestNeighborField shifted(disc.size);
+  shifted(24, 20) = {26.0F, 20.0F, 0, Rotation{}};  // 16 and 14 px deep: equal once clamped at 10
+  shifted(36, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 4 and 2 px deep: within m_l
+  shifted(30, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 10 and 2 px deep: 8 px apart
+  setPrevious(exemplar.level(0), kBorderWidthPx, {10.0F, 2.0F}, shifted, target);
+  EXPECT_FLOAT_EQ(target.modulation(24, 20), 1.0F);
+  EXPECT_FLOAT_EQ(target.modulation(36, 20), 1.0F);
+  EXPECT_NEAR(target.modulation(30, 20), 3.0F / 16.0F - 2.0F / 64.0F, 1e-5F);  // v = 1/4
+  EXPECT_EQ(target.modulation(20, 20), 0.0F);                                  // no match
+  EXPECT_EQ(target.hasPrevious(24, 20), 1);
+  EXPECT_EQ(target.hasPrevious(14, 20), 0);
+}
+
+}  // namespace
+}  // namespace fluidymation
