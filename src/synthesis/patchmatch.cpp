@@ -228,13 +228,14 @@ class TileSweep {
 std::optional<Match> nearestLegal(const ExemplarLevel& exemplar, const Match& match,
                                   Segment segment) {
   std::optional<Match> best;
-  float bestSquare = static_cast<float>(kRepairRadiusPx * kRepairRadiusPx);
+  constexpr auto kRadiusSquare = static_cast<float>(kRepairRadiusPx * kRepairRadiusPx);
+  float bestSquare = kNever;
   for (int y = match.nearestY() - kRepairRadiusPx; y <= match.nearestY() + kRepairRadiusPx; ++y) {
     for (int x = match.nearestX() - kRepairRadiusPx; x <= match.nearestX() + kRepairRadiusPx; ++x) {
       if (!exemplar.isLegal(x, y, match.frame, segment)) continue;
       const Vec2 away{static_cast<float>(x) - match.x, static_cast<float>(y) - match.y};
       const float square = dot(away, away);
-      if (best ? square >= bestSquare : square > bestSquare) continue;
+      if (square > kRadiusSquare || square >= bestSquare) continue;
       bestSquare = square;
       best = Match{static_cast<float>(x), static_cast<float>(y), match.frame, match.rotation};
     }
@@ -324,6 +325,7 @@ void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& w
   Image<float> errors = patchDistances(problem, distance, nnf);
   OccurrenceMap occurrence = emptyOccurrence(problem);
   std::vector<OccurrenceMap> ownChanges;  // one per thread, all zero between tiles
+  ownChanges.reserve(static_cast<std::size_t>(threadLimit()));
   for (int t = 0; t < threadLimit(); ++t) ownChanges.push_back(emptyOccurrence(problem));
 
   for (int i = 0; i < iterations; ++i) {
