@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "fluidymation/options.h"
+
+namespace fluidymation {
+
+/// A target frame that has been painted and written.
+struct FrameReport {
+  int index = 0;         ///< 0 for the first frame of the sequence
+  int count = 0;         ///< frames of the sequence
+  int frameNumber = 0;   ///< the user's own number
+  double seconds = 0.0;  ///< spent on this frame
+  std::string path;      ///< the file written
+};
+
+/// How the engine speaks while it works; both are called from the thread that called `stylize`,
+/// and either may be empty.
+struct Observer {
+  std::function<void(const std::string&)> note;  ///< one sentence for the user
+  std::function<void(const FrameReport&)> frameDone;
+};
+
+/// Checks every input, then paints every target frame and writes it, on `options.threads` threads.
+/// @throws Error; prints nothing.
+void stylize(const Options& options, const Observer& observer);
+
+}  // namespace fluidymation
