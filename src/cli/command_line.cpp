@@ -397,6 +397,9 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     line.information = app.help();
     return line;
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string message = error.what();  // begins with the option's name
+    throw UsageError(message.substr(0, message.find(':')) + ": the value is missing (see --help)");
   } catch (const CLI::ParseError& error) {
     throw UsageError(oneLine(error.what()) + " (see --help)");
   }
@@ -404,15 +407,15 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     line.information = "fluidymation " FLUIDYMATION_VERSION "\n";
     return line;
   }
-  const std::vector<std::string> extras = app.remaining();
-  if (!extras.empty()) refuseArgument(extras.front(), table);
-
   line.options.threads = defaultThreads(std::getenv("OMP_NUM_THREADS"),
                                         std::getenv("SLURM_CPUS_PER_TASK"), omp_get_num_procs());
   for (const Spec& spec : table) {
     const std::vector<std::string> values = app.get_option(spec.name)->results();
     if (!values.empty()) applyOption(spec, values, line);
   }
+  // After the values: what a forgotten value pushed aside is not the user's mistake.
+  const std::vector<std::string> extras = app.remaining();
+  if (!extras.empty()) refuseArgument(extras.front(), table);
   requireOptions(table, app);
   return line;
 }
