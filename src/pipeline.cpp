@@ -78,12 +78,7 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                 " frames, but --src-path " + options.source.path + " has " +
                 std::to_string(color.count()) + "; an exemplar and its masks must agree");
   }
-  if (inputs.color.scaled != inputs.sourceMask.scaled ||
-      readPngSize(color.paths.front()) != readPngSize(mask.paths.front())) {
-    throw Error(mask.paths.front() + ": size " + text(readPngSize(mask.paths.front())) + ", but " +
-                color.paths.front() + " is " + text(readPngSize(color.paths.front())) +
-                "; an exemplar and its masks must agree");
-  }
+  requireMasksOfSameSize(color, mask);
   return inputs;
 }
 

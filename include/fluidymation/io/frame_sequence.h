@@ -22,12 +22,18 @@ struct FrameFiles {
 /// files end, with a note; a note too when more files follow than were asked for.
 /// @param optionName  the option that gave the path, for messages ("--target-path").
 /// @throws Error when no frame exists (names the first file wanted) or when there are holes (a
-///   missing frame with an existing later one; all holes are listed).
+///   missing frame with an existing later one, also one past the frames asked for; all holes are
+///   listed, runs as "5-9", a very long list is cut). @throws UsageError naming the options when
+///   start + i * speed leaves the range of int.
 [[nodiscard]] FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
                                     const std::string& optionName);
 
 /// Reads the headers of all frames. @throws Error unless all have one size; names the first frame
 /// that differs, both sizes and the frame it differs from.
 [[nodiscard]] Size commonSize(const FrameFiles& files);
+
+/// Compares the first frames of two sequences that `commonSize` has accepted.
+/// @throws Error naming both files and sizes when an exemplar and its masks differ.
+void requireMasksOfSameSize(const FrameFiles& exemplar, const FrameFiles& masks);
 
 }  // namespace fluidymation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fluidymation/options.h"
+
+namespace fluidymation::cli {
+
+/// What the user asked for.
+struct CommandLine {
+  Options options;
+  bool quiet = false;
+  std::optional<std::string> information;  ///< help or version: print it and do nothing else
+};
+
+/// Reads the arguments of `main` (argv[0] is the program). Every option appears at most once, as
+/// "--option value" or "--option=value".
+/// @throws UsageError with one line that names the option, what was found and what is wanted.
+[[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);
+
+/// Threads when --threads is not given: OMP_NUM_THREADS (its first number), else
+/// SLURM_CPUS_PER_TASK, else `processors`. A variable that is missing (null) or no number in
+/// [1, 1024] is passed over.
+[[nodiscard]] int defaultThreads(const char* ompNumThreads, const char* slurmCpusPerTask,
+                                 int processors);
+
+}  // namespace fluidymation::cli

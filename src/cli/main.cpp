@@ -1,0 +1,29 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "cli/tool.h"
+#include "fluidymation/pipeline.h"
+
+namespace {
+
+/// A caller may have closed the standard streams; the next file opened would then take the number
+/// of, say, stderr, and progress would be written into a painted frame.
+void occupyStandardStreams() {
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
+  if (descriptor >= 0) close(descriptor);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occupyStandardStreams();
+  // A closed terminal or pipe costs the progress lines, not the painting.
+  std::signal(SIGPIPE, SIG_IGN);
+  const bool errIsTerminal = isatty(STDERR_FILENO) != 0;
+  return fluidymation::cli::runTool(argc, argv, {std::cout, std::cerr, errIsTerminal},
+                                    fluidymation::stylize);
+}

@@ -1,0 +1,64 @@
+#include "cli/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "cli/values.h"
+
+namespace fluidymation::cli {
+namespace {
+
+[[nodiscard]] std::string twoDecimals(double value) {
+  std::array<char, 64> buffer{};
+  const double shown = std::clamp(value, 0.0, 1e9);
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), shown,
+                                    std::chars_format::fixed, 2);
+  return {buffer.data(), result.ptr};
+}
+
+[[nodiscard]] std::string twoDigits(long long value) {
+  return (value < 10 ? "0" : "") + std::to_string(value);
+}
+
+}  // namespace
+
+std::string clockText(double seconds) {
+  constexpr double kLongest = 1e9;
+  const long long whole = std::llround(std::clamp(seconds, 0.0, kLongest));
+  const std::string minutesAndSeconds = twoDigits(whole / 60 % 60) + ":" + twoDigits(whole % 60);
+  return whole < 3600 ? minutesAndSeconds : std::to_string(whole / 3600) + ":" + minutesAndSeconds;
+}
+
+void Progress::note(const std::string& text) {
+  if (style_ == Style::kQuiet) return;
+  finishLine();
+  out_ << "fluidymation: note: " + oneLine(text) + "\n" << std::flush;
+}
+
+void Progress::frameDone(const FrameReport& report) {
+  if (style_ == Style::kQuiet) return;
+  totalSeconds_ += report.seconds;
+  const int done = report.index + 1;
+  const std::string place =
+      "frame " + std::to_string(done) + " of " + std::to_string(report.count) + "  ";
+  if (style_ == Style::kPlain) {
+    out_ << place + twoDecimals(report.seconds) + " s  " + oneLine(report.path) + "\n"
+         << std::flush;
+    return;
+  }
+  const double mean = totalSeconds_ / done;
+  // Back to the first column; the escape sequence clears what a longer line left behind.
+  out_ << "\r" + place + twoDecimals(mean) + " s/frame  " +
+              clockText(mean * (report.count - done)) + " left\x1b[K"
+       << std::flush;
+  lineOpen_ = true;
+}
+
+void Progress::finishLine() {
+  if (lineOpen_) out_ << "\n" << std::flush;
+  lineOpen_ = false;
+}
+
+}  // namespace fluidymation::cli

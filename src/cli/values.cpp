@@ -1,0 +1,147 @@
+#include "cli/values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include "fluidymation/core/error.h"
+
+namespace fluidymation::cli {
+namespace {
+
+/// Reads all of `text` as one number; nothing for trailing characters, overflow and emptiness.
+/// std::from_chars and not strtod: a locale with a decimal comma must not change what is read.
+template <typename T>
+[[nodiscard]] std::optional<T> parseWhole(const std::string& text) {
+  T value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+/// As `parseWhole`; nothing also outside `range`. Compared in T, so that 0.99999999999 as a float
+/// is 1 and not below it.
+template <typename T>
+[[nodiscard]] std::optional<T> parseWithin(const std::string& text, const Range& range) {
+  const std::optional<T> value = parseWhole<T>(text);
+  return value && range.contains(static_cast<double>(*value)) ? value : std::nullopt;
+}
+
+template <typename T>
+[[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range) {
+  if (const std::optional<T> value = parseWithin<T>(text, range)) return *value;
+  throw UsageError(shown(option, text) + ": wanted a number in " + range.text());
+}
+
+[[nodiscard]] std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+template <typename T>
+[[nodiscard]] std::string shortestText(T value) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+/// 1000000 rather than 1e+06.
+[[nodiscard]] std::string boundText(double value) {
+  constexpr double kLargestPlain = 1e15;
+  const auto whole = static_cast<std::int64_t>(std::clamp(value, -kLargestPlain, kLargestPlain));
+  return static_cast<double>(whole) == value ? std::to_string(whole) : shortestText(value);
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (lowOpen ? value > low : value >= low) && (highOpen ? value < high : value <= high);
+}
+
+std::string Range::text() const {
+  return (lowOpen ? "(" : "[") + boundText(low) + ", " + boundText(high) + (highOpen ? ")" : "]");
+}
+
+std::string numberText(double value) { return shortestText(value); }
+std::string numberText(float value) { return shortestText(value); }
+
+std::string listText(const std::vector<int>& values) {
+  std::string text;
+  for (const int value : values) text += (text.empty() ? "" : ",") + std::to_string(value);
+  return text;
+}
+
+float parseFloat(const std::string& option, const std::string& text, const Range& range) {
+  return parseReal<float>(option, text, range);
+}
+
+double parseDouble(const std::string& option, const std::string& text, const Range& range) {
+  return parseReal<double>(option, text, range);
+}
+
+int parseInt(const std::string& option, const std::string& text, const Range& range,
+             bool zeroAllowed) {
+  const std::optional<int> value = parseWithin<int>(text, range);
+  if (value && (zeroAllowed || *value != 0)) return *value;
+  throw UsageError(shown(option, text) + ": wanted a whole number in " + range.text() +
+                   (zeroAllowed ? "" : " other than 0"));
+}
+
+std::uint64_t parseSeed(const std::string& option, const std::string& text) {
+  if (const auto seed = parseWhole<std::uint64_t>(text)) return *seed;
+  throw UsageError(shown(option, text) + ": wanted a whole number in [0, " +
+                   std::to_string(std::numeric_limits<std::uint64_t>::max()) + "]");
+}
+
+std::vector<int> parseIntList(const std::string& option, const std::string& text,
+                              const Range& range) {
+  std::vector<int> values;
+  const std::vector<std::string> parts = splitAtCommas(text);
+  if (parts.size() <= static_cast<std::size_t>(kLongestList)) {
+    for (const std::string& part : parts) {
+      const std::optional<int> value = parseWithin<int>(part, range);
+      if (value) values.push_back(*value);
+    }
+  }
+  if (values.size() == parts.size()) return values;
+  throw UsageError(shown(option, text) + ": wanted 1 to " + std::to_string(kLongestList) +
+                   " whole numbers in " + range.text() + " separated by commas, e.g. 4,3,2");
+}
+
+FloatPair parseDescendingPair(const std::string& option, const std::string& text,
+                              const Range& range) {
+  const std::vector<std::string> parts = splitAtCommas(text);
+  if (parts.size() != 2) {
+    throw UsageError(shown(option, text) + ": wanted two numbers m_u,m_l in pixels, e.g. 10,2");
+  }
+  const auto upper = parseWithin<float>(parts[0], range);
+  const auto lower = parseWithin<float>(parts[1], range);
+  if (upper && lower && *upper > *lower) return {*upper, *lower};
+  throw UsageError(shown(option, text) + ": wanted two numbers m_u,m_l in " + range.text() +
+                   " pixels with m_u greater than m_l, e.g. 10,2");
+}
+
+std::string shown(const std::string& option, const std::string& text) {
+  constexpr std::size_t kLongestShown = 80;
+  if (text.empty()) return option + " with an empty value";
+  const bool cut = text.size() > kLongestShown;
+  return option + " " + oneLine(cut ? text.substr(0, kLongestShown) + "..." : text);
+}
+
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+  return text;
+}
+
+}  // namespace fluidymation::cli

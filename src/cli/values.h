@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fluidymation::cli {
+
+/// Numbers an option accepts. Each end belongs to it unless it is open.
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+  bool lowOpen = false;
+  bool highOpen = false;
+
+  [[nodiscard]] bool contains(double value) const;  ///< false for NaN
+  [[nodiscard]] std::string text() const;           ///< "(0, 0.5]"
+};
+
+/// Shortest text that reads back as `value`, with a decimal point in any locale.
+[[nodiscard]] std::string numberText(double value);
+[[nodiscard]] std::string numberText(float value);
+
+/// "4,3,2"
+[[nodiscard]] std::string listText(const std::vector<int>& values);
+
+// The readers of option values. The whole text must be one number (or list); nothing depends on the
+// locale. All throw UsageError: "--mask-threshold 0.7: wanted a number in (0, 0.5]".
+
+[[nodiscard]] float parseFloat(const std::string& option, const std::string& text,
+                               const Range& range);
+[[nodiscard]] double parseDouble(const std::string& option, const std::string& text,
+                                 const Range& range);
+[[nodiscard]] int parseInt(const std::string& option, const std::string& text, const Range& range,
+                           bool zeroAllowed = true);
+[[nodiscard]] std::uint64_t parseSeed(const std::string& option, const std::string& text);
+
+/// Comma-separated whole numbers, 1 to `kLongestList` of them.
+inline constexpr int kLongestList = 32;
+[[nodiscard]] std::vector<int> parseIntList(const std::string& option, const std::string& text,
+                                            const Range& range);
+
+/// Exactly two numbers, the first greater than the second.
+struct FloatPair {
+  float first = 0.0F;
+  float second = 0.0F;
+};
+[[nodiscard]] FloatPair parseDescendingPair(const std::string& option, const std::string& text,
+                                            const Range& range);
+
+/// `option`, and `text` as far as it is short and printable: how every complaint begins.
+[[nodiscard]] std::string shown(const std::string& option, const std::string& text);
+
+/// `text` on one line: control characters become '?'.
+[[nodiscard]] std::string oneLine(std::string text);
+
+}  // namespace fluidymation::cli

@@ -1,0 +1,196 @@
+#include "fluidymation/io/frame_sequence.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/io/png.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr std::size_t kLongestList = 160;  // bytes of a list of missing frames
+
+/// Number of the sequence's frame i, wide enough for any i.
+[[nodiscard]] std::int64_t numberAt(const SequenceOptions& sequence, std::int64_t i) {
+  return sequence.start + i * sequence.speed;
+}
+
+/// "--src" for "--src-path" and "--src-mask-path".
+[[nodiscard]] std::string optionPrefix(const std::string& optionName) {
+  return optionName.substr(0, optionName.find('-', 2));
+}
+
+void checkNumbers(const SequenceOptions& sequence, const std::string& optionName) {
+  const std::int64_t last = numberAt(sequence, std::int64_t{sequence.frames} - 1);
+  if (last >= std::numeric_limits<int>::min() && last <= std::numeric_limits<int>::max()) return;
+  const std::string prefix = optionPrefix(optionName);
+  throw UsageError(prefix + "-start " + std::to_string(sequence.start) + ", " + prefix +
+                   "-frames " + std::to_string(sequence.frames) + ", " + prefix + "-speed " +
+                   std::to_string(sequence.speed) + ": the last frame would have number " +
+                   std::to_string(last) + "; wanted numbers from " +
+                   std::to_string(std::numeric_limits<int>::min()) + " to " +
+                   std::to_string(std::numeric_limits<int>::max()));
+}
+
+[[nodiscard]] std::string askedFor(const SequenceOptions& sequence) {
+  const std::string first = std::to_string(sequence.start);
+  if (sequence.frames == 1) return "frame " + first + " was asked for";
+  return "frames " + first + " to " +
+         std::to_string(numberAt(sequence, std::int64_t{sequence.frames} - 1)) + " in steps of " +
+         std::to_string(sequence.speed) + " were asked for";
+}
+
+[[noreturn]] void failAtFirst(const FramePattern& pattern, const SequenceOptions& sequence,
+                              const std::string& reason, const std::string& wayOut = "") {
+  throw Error(pattern.path(sequence.start) + ": cannot be opened (" + reason + "); " +
+              askedFor(sequence) + wayOut);
+}
+
+/// Numbers of all files of the pattern, ascending.
+[[nodiscard]] std::vector<int> listNumbers(const FramePattern& pattern,
+                                           const SequenceOptions& sequence) {
+  std::vector<int> numbers;
+  std::error_code failure;
+  std::filesystem::directory_iterator entry(pattern.folder(), failure);
+  for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
+    if (const auto number = pattern.numberOf(entry->path().filename().string())) {
+      numbers.push_back(*number);
+    }
+  }
+  if (failure) failAtFirst(pattern, sequence, failure.message());
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+/// Ascending i >= 0 of all files that the sequence would meet if it never ended.
+[[nodiscard]] std::vector<std::int64_t> indicesOf(const std::vector<int>& numbers,
+                                                  const SequenceOptions& sequence) {
+  std::vector<std::int64_t> indices;
+  for (const int number : numbers) {
+    const std::int64_t distance = std::int64_t{number} - sequence.start;
+    if (distance % sequence.speed == 0 && distance / sequence.speed >= 0) {
+      indices.push_back(distance / sequence.speed);
+    }
+  }
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+/// "5-9, 12, 20-31", cut with "and 17 more" when it becomes long.
+class FrameList {
+ public:
+  explicit FrameList(const SequenceOptions& sequence) : sequence_(sequence) {}
+
+  /// Frames [begin, end) of the sequence.
+  void add(std::int64_t begin, std::int64_t end) {
+    const std::int64_t first = numberAt(sequence_, begin);
+    const std::int64_t last = numberAt(sequence_, end - 1);
+    count_ += end - begin;
+    if (text_.size() > kLongestList) {
+      unlisted_ += end - begin;
+      return;
+    }
+    if (!text_.empty()) text_ += ", ";
+    text_ += std::to_string(first);
+    if (last != first) text_ += (first < 0 || last < 0 ? " to " : "-") + std::to_string(last);
+  }
+
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  [[nodiscard]] std::string text() const {
+    return unlisted_ == 0 ? text_ : text_ + " and " + std::to_string(unlisted_) + " more";
+  }
+
+ private:
+  const SequenceOptions& sequence_;
+  std::string text_;
+  std::int64_t count_ = 0;
+  std::int64_t unlisted_ = 0;
+};
+
+[[nodiscard]] FrameList findHoles(const std::vector<std::int64_t>& indices, std::int64_t end,
+                                  const SequenceOptions& sequence) {
+  FrameList holes(sequence);
+  std::int64_t expected = 0;
+  for (const std::int64_t i : indices) {
+    if (std::min(i, end) > expected) holes.add(expected, std::min(i, end));
+    if (i >= end) break;
+    expected = i + 1;
+  }
+  return holes;
+}
+
+[[nodiscard]] std::string dimensions(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+}  // namespace
+
+FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
+                      const std::string& optionName) {
+  checkNumbers(sequence, optionName);
+  const std::vector<int> present = listNumbers(pattern, sequence);
+  const std::vector<std::int64_t> indices = indicesOf(present, sequence);
+  const std::int64_t frames = sequence.frames;
+  if (indices.empty() || indices.front() >= frames) {
+    std::string wayOut;
+    if (!present.empty()) {
+      wayOut = "; files of this pattern are numbered " + std::to_string(present.front()) + " to " +
+               std::to_string(present.back()) + " (" + optionPrefix(optionName) + "-start)";
+    }
+    failAtFirst(pattern, sequence, "No such file or directory", wayOut);
+  }
+
+  const std::int64_t end = std::min(frames, indices.back() + 1);
+  const FrameList holes = findHoles(indices, end, sequence);
+  if (holes.count() > 0) {
+    throw Error(optionName + " " + pattern.text() + ": " + std::to_string(holes.count()) +
+                (holes.count() == 1 ? " frame is" : " frames are") +
+                " missing although later ones exist: " + holes.text() + "; " + askedFor(sequence));
+  }
+
+  FrameFiles files;
+  for (std::int64_t i = 0; i < end; ++i) {
+    files.numbers.push_back(static_cast<int>(numberAt(sequence, i)));
+    files.paths.push_back(pattern.path(files.numbers.back()));
+  }
+  const std::string name = optionName + " " + pattern.text() + ": ";
+  const std::string framesOption = optionPrefix(optionName) + "-frames";
+  if (end < frames) {
+    files.note = name + "the sequence ends with frame " + std::to_string(files.numbers.back()) +
+                 ", after " + std::to_string(end) + " of at most " + std::to_string(frames) +
+                 " frames (" + framesOption + ")";
+  } else if (indices.back() >= frames) {
+    const auto following = indices.end() - std::lower_bound(indices.begin(), indices.end(), frames);
+    files.note = name + "frames " + std::to_string(files.numbers.front()) + " to " +
+                 std::to_string(files.numbers.back()) + " are used; " + std::to_string(following) +
+                 " more follow (" + framesOption + ")";
+  }
+  return files;
+}
+
+Size commonSize(const FrameFiles& files) {
+  Size first;
+  for (std::size_t i = 0; i < files.paths.size(); ++i) {
+    const Size size = readPngSize(files.paths[i]);
+    if (i == 0) first = size;
+    if (size == first) continue;
+    throw Error(files.paths[i] + ": size " + dimensions(size) + ", but " + files.paths.front() +
+                " is " + dimensions(first) + "; all frames of a sequence must have one size");
+  }
+  return first;
+}
+
+void requireMasksOfSameSize(const FrameFiles& exemplar, const FrameFiles& masks) {
+  const Size exemplarSize = readPngSize(exemplar.paths.front());
+  const Size maskSize = readPngSize(masks.paths.front());
+  if (maskSize == exemplarSize) return;
+  throw Error(masks.paths.front() + ": size " + dimensions(maskSize) + ", but " +
+              exemplar.paths.front() + " is " + dimensions(exemplarSize) +
+              "; an exemplar and its masks must agree");
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,446 @@
+#include "fluidymation/io/png.h"
+
+#include <fcntl.h>
+#include <png.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <system_error>
+#include <vector>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/io/atomic_file.h"
+
+// How faults come out of libpng. It is C: it wants an error handler that does not return. Throwing
+// through its frames only works where it happens to be compiled with unwind tables, so the handler
+// jumps. A jump must not skip destructors; hence one rule for this file: whatever runs inside
+// `attempt` (our callbacks too) holds no object with a destructor while it calls libpng. Buffers
+// and handles live in the caller, and the jump is turned into an exception only after `attempt`.
+
+namespace fluidymation {
+namespace {
+
+constexpr std::size_t kMessageLength = 160;
+
+[[noreturn]] void failDamaged(const std::string& path, const std::string& reason) {
+  throw Error(path + ": damaged PNG file (" + reason + ")");
+}
+
+[[nodiscard]] std::string dimensions(std::int64_t width, std::int64_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+// ---------------------------------------------------------------------------------------------
+// The file and its header
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
+
+struct OpenFile {
+  FileHandle file;
+  std::int64_t byteCount = 0;
+};
+
+[[nodiscard]] OpenFile openPng(const std::string& path) {
+  // Without O_NONBLOCK a named pipe of that name would wait for a writer for ever.
+  const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) {
+    throw Error(path + ": cannot be opened (" + std::generic_category().message(errno) + ")");
+  }
+  OpenFile result;
+  result.file.reset(fdopen(descriptor, "rb"));
+  if (!result.file) {
+    close(descriptor);
+    throw std::bad_alloc();
+  }
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    throw Error(path + ": is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file") +
+                "; wanted a PNG file");
+  }
+  if (status.st_size == 0) throw Error(path + ": is empty; wanted a PNG file");
+  result.byteCount = status.st_size;
+  return result;
+}
+
+/// What the file claims to be: the IHDR chunk, which is the first in every PNG file.
+struct Header {
+  Size size;
+  int bitDepth = 0;
+  int colorType = 0;
+};
+
+[[nodiscard]] std::uint32_t bigEndian(const std::uint8_t* bytes) {
+  return (std::uint32_t{bytes[0]} << 24U) | (std::uint32_t{bytes[1]} << 16U) |
+         (std::uint32_t{bytes[2]} << 8U) | std::uint32_t{bytes[3]};
+}
+
+/// The check sum of PNG chunks, bit by bit: it is only used on the 17 bytes of a header.
+[[nodiscard]] std::uint32_t crc32(const std::uint8_t* bytes, std::size_t count) {
+  constexpr std::uint32_t kPolynomial = 0xEDB88320U;
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (std::size_t i = 0; i < count; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? kPolynomial : 0U);
+  }
+  return ~crc;
+}
+
+/// Reads and checks the header, so that nothing is allocated for a size nobody means. Read here and
+/// not by libpng, which would go on to all chunks before the pixels.
+[[nodiscard]] Header readHeader(std::FILE* file, const std::string& path) {
+  constexpr std::array<std::uint8_t, 16> kStart = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n',
+                                                   0,    0,   0,   13,  'I',  'H',  'D',  'R'};
+  constexpr std::size_t kSignatureLength = 8;
+  constexpr std::size_t kHeaderLength = 33;  // signature, chunk length, name, 13 bytes, check sum
+  std::array<std::uint8_t, kHeaderLength> bytes{};
+  errno = 0;
+  const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), file);
+  if (std::ferror(file) != 0) {
+    throw Error(path + ": cannot be read (" + std::generic_category().message(errno) + ")");
+  }
+  if (std::memcmp(bytes.data(), kStart.data(), std::min(got, kSignatureLength)) != 0) {
+    throw Error(path + ": is no PNG file");
+  }
+  if (got < kHeaderLength) failDamaged(path, "it ends within the header");
+  if (std::memcmp(bytes.data(), kStart.data(), kStart.size()) != 0 ||
+      crc32(bytes.data() + 12, 17) != bigEndian(bytes.data() + 29)) {
+    failDamaged(path, "its header is corrupt");
+  }
+  const std::int64_t width = bigEndian(bytes.data() + 16);
+  const std::int64_t height = bigEndian(bytes.data() + 20);
+  if (width < 1 || height < 1)
+    failDamaged(path, "it claims " + dimensions(width, height) + " pixels");
+  if (width > kMaxImageSidePx || height > kMaxImageSidePx || width * height > kMaxImagePixels) {
+    throw Error(path + ": claims " + dimensions(width, height) + " pixels; wanted at most " +
+                std::to_string(kMaxImageSidePx) + " a side and " +
+                std::to_string(kMaxImagePixels / 1'000'000) + " million in all");
+  }
+  Header header;
+  header.size = {static_cast<int>(width), static_cast<int>(height)};
+  header.bitDepth = bytes[24];
+  header.colorType = bytes[25];
+  return header;
+}
+
+/// A few bytes cannot hold many pixels: deflate packs at most 1032 bytes into one. Checked before
+/// the picture is allocated, so that a small hostile file cannot ask for gigabytes.
+void checkPlausible(const Header& header, std::int64_t byteCount, const std::string& path) {
+  constexpr std::int64_t kDeflateLimit = 1032;
+  std::int64_t channels = 1;
+  if (header.colorType == PNG_COLOR_TYPE_GRAY_ALPHA) channels = 2;
+  if (header.colorType == PNG_COLOR_TYPE_RGB) channels = 3;
+  if (header.colorType == PNG_COLOR_TYPE_RGB_ALPHA) channels = 4;
+  const std::int64_t rowBytes = (header.size.width * channels * header.bitDepth + 7) / 8;
+  if (rowBytes * header.size.height / kDeflateLimit <= byteCount) return;
+  failDamaged(path, "its " + std::to_string(byteCount) + " bytes cannot hold the " +
+                        dimensions(header.size.width, header.size.height) + " pixels it claims");
+}
+
+// ---------------------------------------------------------------------------------------------
+// libpng's callbacks
+
+using Message = std::array<char, kMessageLength>;
+
+[[noreturn]] void onError(png_structp png, png_const_charp text) {
+  auto& message = *static_cast<Message*>(png_get_error_ptr(png));
+  std::strncpy(message.data(), text, message.size() - 1);
+  png_longjmp(png, 1);
+}
+
+/// Warnings are about chunks we do not use; what matters is an error.
+void onWarning(png_structp /*png*/, png_const_charp /*text*/) {}
+
+void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
+  auto* const file = static_cast<std::FILE*>(png_get_io_ptr(png));
+  if (std::fread(data, 1, byteCount, file) == byteCount) return;
+  png_error(png, std::ferror(file) != 0 ? "it cannot be read to its end" : "it ends too early");
+}
+
+/// Runs `body`, which calls libpng; false when libpng found an error. Not inlined, so that no
+/// variable of the caller can live in a register that the jump restores.
+template <typename Body>
+[[gnu::noinline]] bool attempt(png_structp png, const Body& body) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  body();
+  return true;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Reading
+
+/// libpng's handles for reading one file.
+class Reader {
+ public:
+  Reader(std::FILE* file, const std::string& path) : path_(path) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, onError, onWarning);
+    if (png_ == nullptr) throw std::bad_alloc();
+    info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_read_fn(png_, file, onRead);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  [[nodiscard]] png_structp png() const { return png_; }
+  [[nodiscard]] png_infop info() const { return info_; }
+
+  /// `body` calls libpng. @throws Error with libpng's reason.
+  template <typename Body>
+  void run(const Body& body) {
+    if (!attempt(png_, body)) failDamaged(path_, message_.data());
+  }
+
+ private:
+  const std::string& path_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  Message message_{};
+};
+
+void setLimits(png_structp png) {
+  constexpr png_alloc_size_t kMaxChunkBytes = 4'000'000;  // unpacked; a colour profile has < 1 MB
+  constexpr png_uint_32 kMaxChunks = 100;
+  // Texts and the like are stepped over; they could be bombs, and we want nothing of them.
+  constexpr png_byte kUnused[] =
+      "bKGD\0cHRM\0eXIf\0hIST\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0"
+      "tEXt\0tIME\0zTXt";
+  png_set_user_limits(png, kMaxImageSidePx, kMaxImageSidePx);
+  png_set_chunk_malloc_max(png, kMaxChunkBytes);
+  png_set_chunk_cache_max(png, kMaxChunks);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kUnused, sizeof kUnused / 5);
+  // A damaged tRNS or gAMA chunk would silently change what the picture means.
+  png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+}
+
+/// What the rows look like once libpng has expanded them to RGBA.
+struct RowLayout {
+  bool wide = false;  ///< 16 bits a sample, else 8
+  std::size_t rowBytes = 0;
+  int passes = 1;      ///< 7 when interlaced
+  double gamma = 0.0;  ///< the file's encoding exponent, to be undone; 0 when it is sRGB
+};
+
+/// The encoding exponent the file declares, 0 where its samples are (nearly) sRGB-encoded.
+[[nodiscard]] double declaredGamma(png_structp png, png_infop info) {
+  constexpr double kSrgbLike = 1.0 / 2.2;
+  constexpr double kTolerance = 0.05;  // relative; nobody sees less
+  double gamma = 0.0;
+  if (png_get_valid(png, info, PNG_INFO_sRGB) != 0) return 0.0;
+  if (png_get_valid(png, info, PNG_INFO_iCCP) != 0) return 0.0;
+  if (png_get_gAMA(png, info, &gamma) == 0) return 0.0;
+  return std::abs(gamma / kSrgbLike - 1.0) < kTolerance ? 0.0 : gamma;
+}
+
+/// Asks libpng for RGBA of 8 or 16 bits whatever the file has. Runs inside `attempt`.
+void expandToRgba(png_structp png, png_infop info, RowLayout& layout) {
+  png_set_expand(png);  // palette to RGB, 1, 2 and 4 bits to 8, tRNS to alpha
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xFFFF, PNG_FILLER_AFTER);
+  layout.passes = png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  layout.wide = png_get_bit_depth(png, info) == 16;
+  layout.rowBytes = png_get_rowbytes(png, info);
+}
+
+/// The sRGB-encoded value in [0, 1] of each sample value.
+[[nodiscard]] std::vector<float> decodingTable(const RowLayout& layout) {
+  const int largest = layout.wide ? 65535 : 255;
+  std::vector<float> table(static_cast<std::size_t>(largest) + 1);
+  for (int i = 0; i <= largest; ++i) {
+    const float value = static_cast<float>(i) / static_cast<float>(largest);
+    table[static_cast<std::size_t>(i)] = layout.gamma == 0.0
+                                             ? value
+                                             : srgbEncode(static_cast<float>(std::pow(
+                                                   static_cast<double>(value), 1 / layout.gamma)));
+  }
+  return table;
+}
+
+void decodeRow(const png_byte* row, bool wide, const float* table, int width, Rgba* pixels) {
+  const auto sample = [row, wide](std::size_t i) -> std::size_t {
+    if (!wide) return row[i];
+    return (std::size_t{row[2 * i]} << 8U) | row[2 * i + 1];
+  };
+  const float largest = wide ? 65535.0F : 255.0F;
+  for (int x = 0; x < width; ++x) {
+    const std::size_t i = 4 * static_cast<std::size_t>(x);
+    pixels[x] = {table[sample(i)], table[sample(i + 1)], table[sample(i + 2)],
+                 static_cast<float>(sample(i + 3)) / largest};
+  }
+}
+
+}  // namespace
+
+Size readPngSize(const std::string& path) {
+  const OpenFile input = openPng(path);
+  return readHeader(input.file.get(), path).size;
+}
+
+Image<Rgba> readPng(const std::string& path) {
+  const OpenFile input = openPng(path);
+  const Header header = readHeader(input.file.get(), path);
+  checkPlausible(header, input.byteCount, path);
+  std::rewind(input.file.get());
+
+  Reader reader(input.file.get(), path);
+  const png_structp png = reader.png();
+  const png_infop info = reader.info();
+  RowLayout layout;
+  reader.run([&] {
+    setLimits(png);
+    png_read_info(png, info);
+    layout.gamma = declaredGamma(png, info);
+    expandToRgba(png, info, layout);
+  });
+
+  // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
+  const bool keepRows = layout.passes > 1;
+  const int height = header.size.height;
+  std::vector<png_byte> rows(layout.rowBytes * static_cast<std::size_t>(keepRows ? height : 1));
+  const auto rowAt = [&](int y) {
+    return rows.data() + (keepRows ? layout.rowBytes * static_cast<std::size_t>(y) : 0);
+  };
+  const std::vector<float> table = decodingTable(layout);
+  Image<Rgba> image(header.size);
+  reader.run([&] {
+    for (int pass = 0; pass < layout.passes; ++pass) {
+      for (int y = 0; y < height; ++y) {
+        png_read_row(png, rowAt(y), nullptr);
+        if (pass + 1 < layout.passes) continue;
+        decodeRow(rowAt(y), layout.wide, table.data(), header.size.width, image.row(y));
+      }
+    }
+    png_read_end(png, nullptr);  // the check sum of the last pixels, and that the end is there
+  });
+  return image;
+}
+
+Image<Rgb> readColor(const std::string& path) {
+  const Image<Rgba> image = readPng(path);
+  Image<Rgb> color(image.size());
+  std::transform(image.begin(), image.end(), color.begin(), [](const Rgba& p) {
+    return Rgb{p.r, p.g, p.b};
+  });
+  return color;
+}
+
+Image<float> readCoverage(const std::string& path) {
+  const Image<Rgba> image = readPng(path);
+  const bool opaque =
+      std::all_of(image.begin(), image.end(), [](const Rgba& p) { return p.a == 1.0F; });
+  const auto luminance = [](const Rgba& p) {
+    if (p.r == p.g && p.g == p.b) return p.r;  // gray stays exact
+    return 0.2126F * p.r + 0.7152F * p.g + 0.0722F * p.b;
+  };
+  Image<float> coverage(image.size());
+  std::transform(image.begin(), image.end(), coverage.begin(),
+                 [&](const Rgba& p) { return opaque ? luminance(p) : p.a; });
+  return coverage;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Writing
+
+namespace {
+
+/// Where the bytes go, and what the sink threw: an exception must not pass through libpng.
+struct Output {
+  const ByteSink& sink;
+  std::exception_ptr failure;
+};
+
+void onWrite(png_structp png, png_bytep data, std::size_t byteCount) {
+  auto* const output = static_cast<Output*>(png_get_io_ptr(png));
+  try {
+    output->sink(data, byteCount);
+  } catch (...) {
+    output->failure = std::current_exception();
+  }
+  if (output->failure) png_error(png, "the disk did not accept it");
+}
+
+void onFlush(png_structp /*png*/) {}
+
+/// libpng's handles for writing one file.
+class Writer {
+ public:
+  Writer(const ByteSink& sink, const std::string& path) : path_(path), output_{sink, nullptr} {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, onError, onWarning);
+    if (png_ == nullptr) throw std::bad_alloc();
+    info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) {
+      png_destroy_write_struct(&png_, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_write_fn(png_, &output_, onWrite, onFlush);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png_, &info_); }
+
+  [[nodiscard]] png_structp png() const { return png_; }
+  [[nodiscard]] png_infop info() const { return info_; }
+
+  template <typename Body>
+  void run(const Body& body) {
+    if (attempt(png_, body)) return;
+    if (output_.failure) std::rethrow_exception(output_.failure);
+    throw Error(path_ + ": cannot be written (" + message_.data() + ")");
+  }
+
+ private:
+  const std::string& path_;
+  Output output_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  Message message_{};
+};
+
+template <typename Pixel>
+void encode(const std::string& path, const Image<Pixel>& image, int colorType) {
+  writeAtomically(path, [&](const ByteSink& sink) {
+    Writer writer(sink, path);
+    const png_structp png = writer.png();
+    const png_infop info = writer.info();
+    writer.run([&] {
+      png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()),
+                   static_cast<png_uint_32>(image.height()), 8, colorType, PNG_INTERLACE_NONE,
+                   PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+      png_write_info(png, info);
+      for (int y = 0; y < image.height(); ++y) {
+        png_write_row(png, reinterpret_cast<png_const_bytep>(image.row(y)));
+      }
+      png_write_end(png, nullptr);
+    });
+  });
+}
+
+}  // namespace
+
+void writePng(const std::string& path, const Image<Rgba8>& image) {
+  static_assert(sizeof(Rgba8) == 4, "rows go to libpng as they are");
+  encode(path, image, PNG_COLOR_TYPE_RGB_ALPHA);
+}
+
+void writeGrayPng(const std::string& path, const Image<std::uint8_t>& image) {
+  encode(path, image, PNG_COLOR_TYPE_GRAY);
+}
+
+}  // namespace fluidymation

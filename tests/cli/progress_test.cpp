@@ -1,0 +1,71 @@
+#include "cli/progress.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace fluidymation::cli {
+namespace {
+
+FrameReport report(int index, double seconds) {
+  return {index, 80, index + 101, seconds, "out/" + std::to_string(index + 101) + ".png"};
+}
+
+TEST(Progress, ATerminalGetsOneLineThatIsRewritten) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kTerminal);
+  progress.frameDone(report(0, 1.0));
+  progress.frameDone(report(1, 0.5));
+  progress.finishLine();
+  progress.finishLine();
+  EXPECT_EQ(out.str(),
+            "\rframe 1 of 80  1.00 s/frame  01:19 left\x1b[K"
+            "\rframe 2 of 80  0.75 s/frame  00:59 left\x1b[K\n");
+}
+
+TEST(Progress, AFileGetsOnePlainLinePerFrame) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kPlain);
+  progress.frameDone(report(0, 1.0));
+  progress.note("something\nodd");
+  progress.frameDone(report(1, 0.256));
+  progress.finishLine();
+  EXPECT_EQ(out.str(),
+            "frame 1 of 80  1.00 s  out/101.png\n"
+            "fluidymation: note: something?odd\n"
+            "frame 2 of 80  0.26 s  out/102.png\n");
+}
+
+TEST(Progress, ANoteEndsTheLineBeingRewritten) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kTerminal);
+  progress.note("first");
+  progress.frameDone(report(79, 1.0));
+  progress.note("last");
+  EXPECT_EQ(out.str(),
+            "fluidymation: note: first\n"
+            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K\n"
+            "fluidymation: note: last\n");
+}
+
+TEST(Progress, QuietSaysNothing) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kQuiet);
+  progress.note("something");
+  progress.frameDone(report(0, 1.0));
+  progress.finishLine();
+  EXPECT_EQ(out.str(), "");
+}
+
+TEST(Progress, ClockTextGrowsAnHourColumnWhenNeeded) {
+  EXPECT_EQ(clockText(0.0), "00:00");
+  EXPECT_EQ(clockText(28.4), "00:28");
+  EXPECT_EQ(clockText(59.6), "01:00");
+  EXPECT_EQ(clockText(3599.0), "59:59");
+  EXPECT_EQ(clockText(3723.0), "1:02:03");
+  EXPECT_EQ(clockText(360000.0), "100:00:00");
+  EXPECT_EQ(clockText(-1.0), "00:00");
+}
+
+}  // namespace
+}  // namespace fluidymation::cli

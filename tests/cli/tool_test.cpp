@@ -1,0 +1,110 @@
+#include "cli/tool.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+#include "fluidymation/core/error.h"
+
+namespace fluidymation::cli {
+namespace {
+
+struct Outcome {
+  ExitCode code;
+  std::string out;
+  std::string err;
+};
+
+Outcome run(std::vector<const char*> arguments, const Engine& engine, bool terminal = false) {
+  std::vector<const char*> argv = {"fluidymation", "--src-path", "s/%d", "--src-mask-path",
+                                   "m/%d",         "--out-path", "o/%d", "--target-path",
+                                   "t/%d"};
+  argv.insert(argv.end(), arguments.begin(), arguments.end());
+  std::ostringstream out;
+  std::ostringstream err;
+  const ExitCode code =
+      runTool(static_cast<int>(argv.size()), argv.data(), {out, err, terminal}, engine);
+  return {code, out.str(), err.str()};
+}
+
+/// An engine that reports one frame and then fails with `failure`.
+template <typename Failure>
+Engine failing(const Failure& failure) {
+  return [failure](const Options&, const Observer& observer) {
+    observer.frameDone({0, 2, 1, 0.5, "o/1"});
+    throw failure;
+  };
+}
+
+TEST(Tool, PassesTheOptionsAndReportsFramesOnStderr) {
+  std::string path;
+  const Outcome outcome =
+      run({"--seed", "9"}, [&](const Options& options, const Observer& observer) {
+        path = options.outPath + " " + std::to_string(options.synthesis.seed);
+        observer.note("two frames");
+        observer.frameDone({0, 2, 1, 0.5, "o/1"});
+        observer.frameDone({1, 2, 2, 0.5, "o/2"});
+      });
+  EXPECT_EQ(outcome.code, kDone);
+  EXPECT_EQ(path, "o/%d 9");
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err,
+            "fluidymation: note: two frames\n"
+            "frame 1 of 2  0.50 s  o/1\n"
+            "frame 2 of 2  0.50 s  o/2\n");
+}
+
+TEST(Tool, QuietLeavesOnlyErrors) {
+  const Outcome outcome = run({"--quiet"}, failing(Error("o/2: cannot be written (full)")));
+  EXPECT_EQ(outcome.code, kFailed);
+  EXPECT_EQ(outcome.err, "fluidymation: error: o/2: cannot be written (full)\n");
+}
+
+TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
+  const Outcome outcome = run({}, failing(Error("a\nb")), true);
+  EXPECT_EQ(outcome.code, kFailed);
+  EXPECT_EQ(outcome.err,
+            "\rframe 1 of 2  0.50 s/frame  00:01 left\x1b[K\nfluidymation: error: a?b\n");
+}
+
+TEST(Tool, ExitCodesTellWrongUsageFromFailure) {
+  EXPECT_EQ(run({"--quiet"}, failing(UsageError("wrong"))).code, kWrongUsage);
+  const Outcome memory = run({"--quiet"}, failing(std::bad_alloc()));
+  EXPECT_EQ(memory.code, kFailed);
+  EXPECT_EQ(memory.err.find("fluidymation: error: out of memory; "), 0U);
+  const Outcome internal = run({"--quiet"}, failing(std::out_of_range("at")));
+  EXPECT_EQ(internal.code, kFailed);
+  EXPECT_EQ(internal.err, "fluidymation: error: internal error: at\n");
+}
+
+TEST(Tool, WrongUsageNeverReachesTheEngine) {
+  const Outcome outcome = run({"--mask-threshold", "0.7"},
+                              [](const Options&, const Observer&) { ADD_FAILURE() << "called"; });
+  EXPECT_EQ(outcome.code, kWrongUsage);
+  EXPECT_EQ(outcome.err,
+            "fluidymation: error: --mask-threshold 0.7: wanted a number in (0, 0.5]\n");
+}
+
+TEST(Tool, HelpAndVersionGoToStdout) {
+  const Engine engine = [](const Options&, const Observer&) { ADD_FAILURE() << "called"; };
+  for (const char* option : {"--help", "--version"}) {
+    const Outcome outcome = run({option}, engine);
+    EXPECT_EQ(outcome.code, kDone);
+    EXPECT_NE(outcome.out, "");
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST(Tool, SaysWhenStdoutIsFull) {
+  std::ostringstream out;
+  std::ostringstream err;
+  out.setstate(std::ios::badbit);
+  const char* const argv[] = {"fluidymation", "--help"};
+  EXPECT_EQ(runTool(2, argv, {out, err}, {}), kFailed);
+  EXPECT_EQ(err.str(), "fluidymation: error: standard output cannot be written\n");
+}
+
+}  // namespace
+}  // namespace fluidymation::cli

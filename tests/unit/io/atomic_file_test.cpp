@@ -1,0 +1,161 @@
+#include "fluidymation/io/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <stdexcept>
+
+#include "fluidymation/core/error.h"
+#include "support/temporary_folder.h"
+
+namespace fluidymation {
+namespace {
+
+using test::bytesOf;
+using test::messageOf;
+using test::readBytes;
+using test::TemporaryFolder;
+using Names = std::vector<std::string>;
+
+void writeText(const std::string& path, const std::string& text) {
+  writeAtomically(path, [&](const ByteSink& sink) { sink(text.data(), text.size()); });
+}
+
+/// Files of this process may grow to `bytes` and no further: a disk that becomes full.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+TEST(AtomicFile, WritesAndReplaces) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  writeText(path, "one");
+  writeText(path, "two");
+  EXPECT_EQ(readBytes(path), bytesOf("two"));
+  EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(AtomicFile, ShowsNothingUnderItsNameBeforeTheEnd) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  writeAtomically(path, [&](const ByteSink& sink) {
+    sink("half", 4);
+    EXPECT_FALSE(std::filesystem::exists(path));
+    ASSERT_EQ(folder.names().size(), 1U);
+    EXPECT_EQ(folder.names()[0][0], '.');
+  });
+  EXPECT_EQ(readBytes(path), bytesOf("half"));
+}
+
+TEST(AtomicFile, LeavesTheOlderFileWhenTheWriterThrows) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  writeText(path, "old");
+  EXPECT_THROW(writeAtomically(path,
+                               [](const ByteSink& sink) {
+                                 sink("new", 3);
+                                 throw std::runtime_error("enough");
+                               }),
+               std::runtime_error);
+  EXPECT_EQ(readBytes(path), bytesOf("old"));
+  EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(AtomicFile, LeavesTheOlderFileWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  writeText(path, "old");
+  // Few bytes fail only when the buffer is flushed, many at once.
+  for (const std::size_t size : {std::size_t{2000}, std::size_t{1000000}}) {
+    std::string message;
+    {
+      const FileSizeLimit limit(1000);
+      message = messageOf<Error>([&] { writeText(path, std::string(size, 'x')); });
+    }
+    EXPECT_EQ(message, path + ": cannot be written (File too large)");
+    EXPECT_EQ(readBytes(path), bytesOf("old"));
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+  }
+}
+
+TEST(AtomicFile, NamesFileAndReasonWhenTheFolderIsMissingOrNoFolder) {
+  const TemporaryFolder folder;
+  writeText(folder.file("plain"), "x");
+  EXPECT_EQ(messageOf<Error>([&] { writeText(folder.file("none/a.txt"), "x"); }),
+            folder.file("none/a.txt") + ": cannot be written (No such file or directory)");
+  EXPECT_EQ(messageOf<Error>([&] { writeText(folder.file("plain/a.txt"), "x"); }),
+            folder.file("plain/a.txt") + ": cannot be written (Not a directory)");
+  EXPECT_EQ(folder.names(), Names{"plain"});
+}
+
+TEST(AtomicFile, NamesFileAndReasonWhenTheFolderIsReadOnly) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_write,
+                               std::filesystem::perm_options::remove);
+  EXPECT_EQ(messageOf<Error>([&] { writeText(folder.file("a.txt"), "x"); }),
+            folder.file("a.txt") + ": cannot be written (Permission denied)");
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
+TEST(AtomicFile, ReplacesNeitherFoldersNorDevices) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(messageOf<Error>([&] { writeText(folder.path(), "x"); }),
+            folder.path() + ": cannot be written (it is a folder)");
+  EXPECT_EQ(messageOf<Error>([&] { writeText("/dev/null", "x"); }),
+            "/dev/null: cannot be written (it exists and is no regular file)");
+}
+
+TEST(AtomicFile, WritesTheLongestNamesAndReplacesItsOwnLeftovers) {
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  writeText(folder.file(longest), "x");
+  EXPECT_EQ(folder.names(), Names{longest});
+
+  const std::string leftover = ".a.tmp." + std::to_string(getpid());
+  test::writeBytes(folder.file(leftover), bytesOf("left by a crash"));
+  writeText(folder.file("a"), "x");
+  EXPECT_EQ(folder.names(), (Names{"a", longest}));
+}
+
+TEST(CreateFolder, CreatesParentsAndAcceptsWhatExists) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a/b/c", "a/b/c", "a/b/d/", "."}) {
+    createFolder(folder.file(name));
+    EXPECT_TRUE(std::filesystem::is_directory(folder.file(name)));
+  }
+}
+
+TEST(CreateFolder, NamesTheFolderThatCannotBe) {
+  const TemporaryFolder folder;
+  writeText(folder.file("plain"), "x");
+  EXPECT_EQ(messageOf<Error>([&] {
+              createFolder(folder.file("plain"));
+            }).find(folder.file("plain") + ": the folder cannot be created ("),
+            0U);
+  EXPECT_EQ(messageOf<Error>([&] { createFolder(folder.file("plain/a")); }),
+            folder.file("plain/a") + ": the folder cannot be created (Not a directory)");
+}
+
+}  // namespace
+}  // namespace fluidymation
