@@ -4,6 +4,11 @@
 
 namespace fluidymation {
 
+/// The diffusion stops once a V-cycle changes no value by more than this share of the largest
+/// border value. A small residual would bound nothing; what bounds the error is that a cycle leaves
+/// at most a third of it.
+inline constexpr float kDiffusionTolerance = 1e-3F;
+
 /// What an iterative solver did.
 struct SolveReport {
   int cycles = 0;           ///< V-cycles run
@@ -21,7 +26,7 @@ struct SolveReport {
 ///
 /// Connected parts of the region (4-neighbours) do not mix; a part without any border pixel gets
 /// zero. Multigrid V-cycles without pre-smoothing, Gauss-Seidel as post-smoothing; stops when no
-/// value changed by more than `tolerance` times the largest border value in one cycle.
+/// value changed by more than `kDiffusionTolerance` times the largest border value in one cycle.
 /// @param region    nonzero where u lives.
 /// @param isBorder  nonzero where u is given; a subset of `region`.
 /// @param field     in: values at the border pixels; out: the solution, zero outside the region.

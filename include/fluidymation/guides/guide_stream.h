@@ -38,6 +38,9 @@ class GuideStream {
     SolveReport diffusion;
   };
 
+  /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
+  void computeFlow(int begin, int end, float sigmaFrames);
+
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
   Image<Vec2> accForward_;  ///< of the frame given last

@@ -1,0 +1,103 @@
+#include "fluidymation/guides/guide_dump.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "fluidymation/core/parallel.h"
+#include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/flow_file.h"
+#include "fluidymation/io/pfm.h"
+#include "fluidymation/io/png.h"
+
+namespace fluidymation {
+namespace {
+
+std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+
+Image<float> lengths(const Image<Vec2>& vectors) {
+  Image<float> result(vectors.size());
+  forEachRow(vectors.height(), [&](int y) {
+    for (int x = 0; x < vectors.width(); ++x) result(x, y) = length(vectors(x, y));
+  });
+  return result;
+}
+
+/// What to multiply by so that the largest value becomes 1; all-zero images stay zero.
+float normalization(const Image<float>& image) {
+  float largest = 0.0F;
+  for (const float value : image) largest = std::max(largest, value);
+  return largest > 0.0F ? 1.0F / largest : 0.0F;
+}
+
+Image<std::uint8_t> maskPicture(const Mask& mask) {
+  Image<std::uint8_t> picture(mask.size());
+  forEachRow(mask.height(), [&](int y) {
+    for (int x = 0; x < mask.width(); ++x) picture(x, y) = mask(x, y) != 0 ? 255 : 0;
+  });
+  return picture;
+}
+
+Image<std::uint8_t> normalizedPicture(const Image<float>& image) {
+  const float scale = normalization(image);
+  Image<std::uint8_t> picture(image.size());
+  forEachRow(image.height(), [&](int y) {
+    for (int x = 0; x < image.width(); ++x) picture(x, y) = toByte(scale * image(x, y));
+  });
+  return picture;
+}
+
+/// Fully saturated colour; hue and its channels go once round the circle: 0 red, 1/3 green,
+/// 2/3 blue.
+Rgba8 hueColor(float hue, float intensity) {
+  const auto channel = [&](float phase) {
+    const float turn = hue + phase - std::floor(hue + phase);
+    return toByte(intensity * std::clamp(std::abs(6.0F * turn - 3.0F) - 1.0F, 0.0F, 1.0F));
+  };
+  return {channel(0.0F), channel(2.0F / 3.0F), channel(1.0F / 3.0F), 255};
+}
+
+/// Angle as hue (right is red, down is yellow-green, left is cyan, up is violet), magnitude as
+/// intensity, relative to the frame's fastest pixel (thesis figure 3.3b).
+Image<Rgba8> flowPicture(const Image<Vec2>& flow) {
+  constexpr float kTwoPi = 6.2831853F;
+  const Image<float> speed = lengths(flow);
+  const float scale = normalization(speed);
+  Image<Rgba8> picture(flow.size());
+  forEachRow(flow.height(), [&](int y) {
+    for (int x = 0; x < flow.width(); ++x) {
+      const Vec2 v = flow(x, y);
+      picture(x, y) = hueColor(std::atan2(v.y, v.x) / kTwoPi, scale * speed(x, y));
+    }
+  });
+  return picture;
+}
+
+/// At least five digits, as the inputs usually have.
+std::string numberText(int number) {
+  constexpr std::size_t kDigits = 5;
+  const std::string digits = std::to_string(std::abs(static_cast<long>(number)));
+  const std::string zeros(digits.size() < kDigits ? kDigits - digits.size() : 0, '0');
+  return (number < 0 ? "-" : "") + zeros + digits;
+}
+
+}  // namespace
+
+void dumpGuides(const std::string& folder, int frameNumber, const GuideFrame& guides) {
+  createFolder(folder);
+  const std::string path = folder + "/" + numberText(frameNumber);
+  const Image<float> extForward = lengths(guides.accForward);
+  const Image<float> extBackward = lengths(guides.accBackward);
+  writeGrayPng(path + ".mask.png", maskPicture(guides.mask));
+  writePfm(path + ".dist.pfm", guides.distance);
+  writeFlow(path + ".flow.flo", guides.flow);
+  writePfm(path + ".ext_fwd.pfm", extForward);
+  writePfm(path + ".ext_bwd.pfm", extBackward);
+  writePng(path + ".flow.png", flowPicture(guides.flow));
+  writeGrayPng(path + ".ext_fwd.png", normalizedPicture(extForward));
+  writeGrayPng(path + ".ext_bwd.png", normalizedPicture(extBackward));
+}
+
+}  // namespace fluidymation

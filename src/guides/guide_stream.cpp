@@ -1,0 +1,167 @@
+#include "fluidymation/guides/guide_stream.h"
+
+#include <cassert>
+#include <deque>
+#include <utility>
+
+#include "fluidymation/core/parallel.h"
+#include "fluidymation/guides/accumulation.h"
+#include "fluidymation/guides/direction.h"
+#include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/motion.h"
+#include "fluidymation/guides/temporal_smoothing.h"
+
+namespace fluidymation {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The values inside the mask, in row order.
+std::vector<Vec2> gather(const Mask& mask, const Image<Vec2>& image) {
+  std::vector<Vec2> values;
+  values.reserve(countInside(mask));
+  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+    if (mask.data()[i] != 0) values.push_back(image.data()[i]);
+  }
+  return values;
+}
+
+/// The inverse of `gather`; zero outside.
+Image<Vec2> scatter(const Mask& mask, const std::vector<Vec2>& values) {
+  Image<Vec2> image(mask.size());
+  auto value = values.begin();
+  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+    if (mask.data()[i] != 0) image.data()[i] = *value++;
+  }
+  assert(value == values.end());
+  return image;
+}
+
+/// A shape without an edge within the image has no distance to it.
+bool hasEdge(const Mask& mask) {
+  const std::size_t inside = countInside(mask);
+  return inside != 0 && inside != mask.pixelCount();
+}
+
+/// Continuous, temporally smoothed distances of a run of frames that all have an edge, given in
+/// order. Only the fields that the kernel reaches exist at a time.
+class SmoothedDistances {
+ public:
+  using MaskOf = std::function<Mask(int frame)>;  ///< frames count from the beginning of the run
+
+  SmoothedDistances(int frameCount, float sigmaFrames, MaskOf maskOf)
+      : frameCount_(frameCount), sigmaFrames_(sigmaFrames), maskOf_(std::move(maskOf)) {}
+
+  Image<float> next() {
+    const TemporalWeights window = temporalWeights(nextFrame_++, frameCount_, sigmaFrames_);
+    for (; firstField_ < window.firstFrame; ++firstField_) fields_.pop_front();
+    while (fields_.size() < window.weights.size()) {
+      const int frame = firstField_ + static_cast<int>(fields_.size());
+      fields_.push_back(continuousDistance(signedDistance(maskOf_(frame))));
+    }
+    Image<float> smooth(fields_.front().size());
+    forEachRow(smooth.height(), [&](int y) {
+      float* out = smooth.row(y);
+      for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const float weight = window.weights[i];
+        const float* in = fields_[i].row(y);
+        for (int x = 0; x < smooth.width(); ++x) out[x] += weight * in[x];
+      }
+    });
+    return smooth;
+  }
+
+ private:
+  int frameCount_;
+  float sigmaFrames_;
+  MaskOf maskOf_;
+  int nextFrame_ = 0;
+  int firstField_ = 0;
+  std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
+};
+
+}  // namespace
+
+GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options) {
+  assert(frameCount >= 1);
+  std::vector<bool> edge;
+  for (int i = 0; i < frameCount; ++i) {
+    const Mask mask = smoothMask(readMask(i), options.mask);
+    StoredFrame frame;
+    frame.mask = PackedMask(mask);
+    assert(frames_.empty() || frame.mask.size() == frames_.front().mask.size());
+    frame.flow.resize(countInside(mask));  // zero, until the frame turns out to move
+    frames_.push_back(std::move(frame));
+    edge.push_back(hasEdge(mask));
+  }
+
+  // Flow. Frames without an edge, empty and full ones, have stand-ins for distances: they end the
+  // temporal window on both sides as the ends of the sequence do.
+  for (int begin = 0; begin < frameCount; ++begin) {
+    if (!edge[at(begin)]) continue;
+    int end = begin + 1;
+    while (end < frameCount && edge[at(end)]) ++end;
+    computeFlow(begin, end, options.timeBlurSigmaFrames);
+    begin = end;
+  }
+
+  // Motion still to come, from the last frame backwards (§3.5)
+  Mask nextMask = frames_.back().mask.unpack();
+  Image<Vec2> nextFlow = scatter(nextMask, frames_.back().flow);
+  Image<Vec2> accumulated(nextMask.size());
+  frames_.back().accBackward.resize(frames_.back().flow.size());
+  for (int i = frameCount - 2; i >= 0; --i) {
+    StoredFrame& frame = frames_[at(i)];
+    Mask mask = frame.mask.unpack();
+    Image<Vec2> flow = scatter(mask, frame.flow);
+    accumulated = accumulateBackward(accumulated, nextFlow, nextMask, flow, mask);
+    frame.accBackward = gather(mask, accumulated);
+    nextMask = std::move(mask);
+    nextFlow = std::move(flow);
+  }
+}
+
+void GuideStream::computeFlow(int begin, int end, float sigmaFrames) {
+  if (end - begin < 2) return;  // a single frame does not move
+  SmoothedDistances distances(end - begin, sigmaFrames,
+                              [&](int i) { return frames_[at(begin + i)].mask.unpack(); });
+  const auto store = [&](int i, const Image<float>& before, const Image<float>& after,
+                         const Image<float>& here) {
+    StoredFrame& frame = frames_[at(i)];
+    const Mask mask = frame.mask.unpack();
+    const MotionField motion = motionField(mask, before, after, here);
+    frame.flow = gather(mask, motion.flow);
+    frame.diffusion = motion.report;
+  };
+  Image<float> before = distances.next();
+  for (int i = begin + 1; i < end; ++i) {
+    Image<float> after = distances.next();
+    // No frame before the first one: it moves on as it does towards the second
+    if (i == begin + 1) store(begin, before, after, before);
+    store(i, before, after, after);
+    before = std::move(after);
+  }
+}
+
+GuideFrame GuideStream::next() {
+  assert(nextFrame_ < frameCount());
+  StoredFrame& stored = frames_[at(nextFrame_)];
+  GuideFrame guides;
+  guides.mask = stored.mask.unpack();
+  guides.distance = signedDistance(guides.mask);
+  guides.flow = scatter(guides.mask, stored.flow);
+  guides.accBackward = scatter(guides.mask, stored.accBackward);
+  guides.diffusion = stored.diffusion;
+  stored.flow = {};  // given away, and not asked for again
+  stored.accBackward = {};
+
+  guides.direction = flowDirection(guides.mask, guides.flow, guides.distance, direction_);
+  guides.accForward = nextFrame_ == 0 ? Image<Vec2>(guides.mask.size())
+                                      : accumulateForward(accForward_, guides.flow, guides.mask);
+  direction_ = guides.direction.clone();
+  accForward_ = guides.accForward.clone();
+  ++nextFrame_;
+  return guides;
+}
+
+}  // namespace fluidymation

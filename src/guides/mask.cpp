@@ -1,0 +1,76 @@
+#include "fluidymation/guides/mask.h"
+
+#include "fluidymation/guides/gaussian.h"
+
+namespace fluidymation {
+namespace {
+
+/// Half-open rectangle of pixels; empty where end <= begin.
+struct Box {
+  int beginX = 0;
+  int beginY = 0;
+  int endX = 0;
+  int endY = 0;
+};
+
+/// The smallest box that holds the mask, grown by `margin` pixels as far as the image reaches.
+Box boundingBox(const Mask& mask, int margin) {
+  Box box{mask.width(), mask.height(), 0, 0};
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      if (mask(x, y) == 0) continue;
+      box.beginX = std::min(box.beginX, x);
+      box.beginY = std::min(box.beginY, y);
+      box.endX = std::max(box.endX, x + 1);
+      box.endY = std::max(box.endY, y + 1);
+    }
+  }
+  if (box.endX == 0) return {};
+  return {std::max(box.beginX - margin, 0), std::max(box.beginY - margin, 0),
+          std::min(box.endX + margin, mask.width()), std::min(box.endY + margin, mask.height())};
+}
+
+}  // namespace
+
+Mask smoothMask(const Mask& mask, const MaskOptions& options) {
+  const int reach = static_cast<int>(gaussianKernel(options.blurSigmaPx).size()) - 1;
+  if (reach == 0) return mask.clone();
+
+  // Nothing happens further away from the mask than the kernel reaches. Where the box ends within
+  // the image its last pixels are zero, so that repeating them is as good as the truth.
+  const Box box = boundingBox(mask, reach);
+  Image<float> coverage(Size{box.endX - box.beginX, box.endY - box.beginY});
+  for (int y = 0; y < coverage.height(); ++y) {
+    for (int x = 0; x < coverage.width(); ++x) {
+      coverage(x, y) = mask(box.beginX + x, box.beginY + y) != 0 ? 1.0F : 0.0F;
+    }
+  }
+  coverage = gaussianBlur(coverage, options.blurSigmaPx);
+
+  Mask smooth(mask.size());
+  for (int y = 0; y < coverage.height(); ++y) {
+    for (int x = 0; x < coverage.width(); ++x) {
+      smooth(box.beginX + x, box.beginY + y) = coverage(x, y) >= options.threshold ? 1 : 0;
+    }
+  }
+  return smooth;
+}
+
+PackedMask::PackedMask(const Mask& mask)
+    : size_(mask.size()), bits_((mask.pixelCount() + 63) / 64) {
+  const std::uint8_t* pixels = mask.data();
+  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+    if (pixels[i] != 0) bits_[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+}
+
+Mask PackedMask::unpack() const {
+  Mask mask(size_);
+  std::uint8_t* pixels = mask.data();
+  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+    pixels[i] = static_cast<std::uint8_t>((bits_[i / 64] >> (i % 64)) & 1U);
+  }
+  return mask;
+}
+
+}  // namespace fluidymation

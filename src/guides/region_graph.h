@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "fluidymation/core/image.h"
+
+namespace fluidymation {
+
+/// One level of the multigrid hierarchy: unknowns and how they are linked. On the finest level an
+/// unknown is an interior pixel; on level l it is a connected set of interior pixels within one
+/// block of 2^l x 2^l. A block crossed by two parts that do not touch in it holds two unknowns, so
+/// that no level joins what is separate.
+///
+/// Unknowns of even blocks (x + y even, "red") come before those of odd ones ("black"). Links lead
+/// only to 4-neighbouring blocks, hence from red to black or back on every level: Gauss-Seidel may
+/// update all of one colour at once, and the order of threads cannot show.
+struct GraphLevel {
+  int redCount = 0;
+  std::vector<int> blockX;
+  std::vector<int> blockY;
+  std::vector<int> firstLink;     ///< links of i: firstLink[i] .. firstLink[i + 1] - 1
+  std::vector<int> linkTo;        ///< the unknown at the other end
+  std::vector<float> linkWeight;  ///< flux per difference
+  std::vector<float> linkPairs;   ///< pairs of neighbouring pixels the link stands for
+  std::vector<float> diagonal;    ///< all link weights plus that of the given values
+  std::vector<float> givenPairs;  ///< pairs (pixel of this unknown, border pixel)
+  std::vector<float> pixelCount;  ///< pixels in this unknown
+  std::vector<int> parent;        ///< unknown of the next coarser level; empty on the coarsest
+  std::vector<int> firstChild;    ///< as firstLink; empty on the finest level
+  std::vector<int> child;         ///< unknowns of the next finer level
+
+  [[nodiscard]] int count() const { return static_cast<int>(diagonal.size()); }
+};
+
+/// Finest level of `region` without its border pixels, and without parts that no border pixel
+/// touches.
+/// @param unknownAt  out: number of the unknown at each pixel, -1 where there is none.
+[[nodiscard]] GraphLevel finestLevel(const Mask& region, const Mask& isBorder,
+                                     Image<int>& unknownAt);
+
+/// The next coarser level of `fine`, whose `parent` is filled in. `blockSide` is the side of the
+/// coarser blocks in pixels.
+[[nodiscard]] GraphLevel coarserLevel(GraphLevel& fine, int blockSide);
+
+}  // namespace fluidymation
