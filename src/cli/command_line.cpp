@@ -407,8 +407,10 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     line.information = "fluidymation " FLUIDYMATION_VERSION "\n";
     return line;
   }
+  // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
   line.options.threads = defaultThreads(std::getenv("OMP_NUM_THREADS"),
                                         std::getenv("SLURM_CPUS_PER_TASK"), omp_get_num_procs());
+  // NOLINTEND(concurrency-mt-unsafe)
   for (const Spec& spec : table) {
     const std::vector<std::string> values = app.get_option(spec.name)->results();
     if (!values.empty()) applyOption(spec, values, line);

@@ -117,7 +117,7 @@ std::optional<int> FramePattern::numberOf(const std::string& fileName) const {
   const auto [end, failure] = std::from_chars(first, last, number);
   if (failure != std::errc{} || end != last) return std::nullopt;
   // Only the one spelling that `path` gives counts: with %05d, "0012" and "000012" are no frames.
-  if (path(number).compare(nameBegin, std::string::npos, fileName) != 0) return std::nullopt;
+  if (path(number).substr(nameBegin) != fileName) return std::nullopt;
   return number;
 }
 

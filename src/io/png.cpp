@@ -218,6 +218,7 @@ void setLimits(png_structp png) {
   constexpr png_alloc_size_t kMaxChunkBytes = 4'000'000;  // unpacked; a colour profile has < 1 MB
   constexpr png_uint_32 kMaxChunks = 100;
   // Texts and the like are stepped over; they could be bombs, and we want nothing of them.
+  // NOLINTNEXTLINE(modernize-avoid-c-arrays): names of five bytes each, as libpng wants them
   constexpr png_byte kUnused[] =
       "bKGD\0cHRM\0eXIf\0hIST\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0"
       "tEXt\0tIME\0zTXt";
@@ -300,8 +301,8 @@ Image<Rgba> readPng(const std::string& path) {
   std::rewind(input.file.get());
 
   Reader reader(input.file.get(), path);
-  const png_structp png = reader.png();
-  const png_infop info = reader.info();
+  auto* const png = reader.png();
+  auto* const info = reader.info();
   RowLayout layout;
   reader.run([&] {
     setLimits(png);
@@ -417,8 +418,8 @@ template <typename Pixel>
 void encode(const std::string& path, const Image<Pixel>& image, int colorType) {
   writeAtomically(path, [&](const ByteSink& sink) {
     Writer writer(sink, path);
-    const png_structp png = writer.png();
-    const png_infop info = writer.info();
+    auto* const png = writer.png();
+    auto* const info = writer.info();
     writer.run([&] {
       png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()),
                    static_cast<png_uint_32>(image.height()), 8, colorType, PNG_INTERLACE_NONE,
