@@ -258,42 +258,24 @@ TEST(Diffusion, FewCyclesAreEnoughOnCombs) {
   EXPECT_LE(report.cycles, 10);
 }
 
-/// One pixel wide, folded, `side` x `side`, given at both ends: linear along its length. Largest
-/// error.
-float snakeError(int side, SolveReport& report) {
-  const Size size{side, side};
-  const auto position = [side](int x, int y) {
+TEST(Diffusion, AFoldedPathIsSolvedToItsEnd) {
+  // One pixel wide, 577 long, folded into a square, given at both ends: linear along its length
+  constexpr int kSide = 33;
+  const auto position = [](int x, int y) {
     const int row = y / 2;
-    const int along = y % 2 == 1 ? side : (row % 2 == 0 ? x : side - 1 - x);
-    return static_cast<float>(row * (side + 1) + along);
+    const int along = y % 2 == 1 ? kSide : (row % 2 == 0 ? x : kSide - 1 - x);
+    return static_cast<float>(row * (kSide + 1) + along);
   };
   const Mask region = test::maskOf(
-      size, [side](int x, int y) { return y % 2 == 0 || x == (y % 4 == 1 ? side - 1 : 0); });
-  const auto isEnd = [side](int x, int y) {
-    return (x == 0 && y == 0) || (x == side - 1 && y == side - 1);
-  };
-  const Mask ends = test::maskOf(size, isEnd);
-  const float total = position(side - 1, side - 1);
+      {kSide, kSide}, [](int x, int y) { return y % 2 == 0 || x == (y % 4 == 1 ? kSide - 1 : 0); });
+  const Mask ends = test::maskOf({kSide, kSide}, [](int x, int y) {
+    return (x == 0 && y == 0) || (x == kSide - 1 && y == kSide - 1);
+  });
+  const float total = position(kSide - 1, kSide - 1);
   const auto ramp = [&](int x, int y) { return Vec2{position(x, y) / total, 0.0F}; };
   Image<Vec2> field = given(ends, ramp);
-  report = diffuse(region, ends, field);
-  const Image<Vec2> expected = everywhere(region, ramp);
-  float largest = 0.0F;
-  for (std::size_t i = 0; i < field.pixelCount(); ++i) {
-    largest = std::max(largest, length(field.data()[i] - expected.data()[i]));
-  }
-  return largest;
-}
-
-TEST(Diffusion, ASnakeIsSolvedToItsEndOrReportedAsUnsolved) {
-  SolveReport report;
-  EXPECT_LT(snakeError(33, report), 1e-2F);  // 577 px long
-  EXPECT_TRUE(report.converged);
-  for (const int side : {65, 101, 201}) {  // up to 20 000 px: no outline of a shape is like that
-    const float error = snakeError(side, report);
-    EXPECT_LE(report.cycles, 100);
-    EXPECT_TRUE(error < 1e-2F || !report.converged) << side << ": " << error;
-  }
+  diffuse(region, ends, field);
+  EXPECT_TRUE(test::nearEverywhere(everywhere(region, ramp), field, 1e-2F));
 }
 
 TEST(Diffusion, RegionsWithNothingToSolveAreLeftAlone) {

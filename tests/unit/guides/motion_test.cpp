@@ -118,7 +118,7 @@ TEST(Flow, AGrowingDiscMovesOutwardsAtItsSpeedFromTheFirstFrameToTheLast) {
     for (const std::size_t i : {0U, 6U, 12U}) {
       const BorderSpeed measured = discs.speed(i);
       EXPECT_NEAR(measured.outward, speed, 0.08F * speed) << "frame " << i;
-      EXPECT_LT(measured.sideways, 0.25F * speed) << speed << ", frame " << i;
+      EXPECT_LT(measured.sideways, 0.1F * speed) << speed << ", frame " << i;
     }
   }
 }
