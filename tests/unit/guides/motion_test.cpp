@@ -20,15 +20,15 @@ struct BorderSpeed {
   float sideways = 0.0F;  ///< mean length of the rest
 };
 
-/// Mean over all border pixels of a growing disc, at one of its frames, and over ten positions on
+/// Mean over all border pixels of a growing disc, at one of its frames, and over five positions on
 /// the pixel grid: at a single one a slow disc gains its pixels in bursts.
 class GrowingDiscs {
  public:
   GrowingDiscs(float firstRadius, float speed) {
     const float largest = std::max(firstRadius, firstRadius + speed * (kFrames - 1));
     const int side = 2 * static_cast<int>(largest) + 8;
-    for (int phase = 0; phase < 10; ++phase) {
-      const float shift = 0.1F * static_cast<float>(phase);
+    for (int phase = 0; phase < 5; ++phase) {
+      const float shift = 0.2F * static_cast<float>(phase);
       const Vec2 centre{static_cast<float>(side / 2) + shift, static_cast<float>(side / 2) + 0.7F};
       std::vector<Mask> masks;
       for (int i = 0; i < kFrames; ++i) {
