@@ -52,7 +52,7 @@ TEST(Direction, AStillMaskWithoutAPastPointsOutwards) {
 }
 
 TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     for (const Mask& mask : {test::randomBlobs(kSize, seed), test::randomMask(kSize, seed, 60),
                              Mask(kSize, 1), Mask(Size{1, 1}, 1), Mask(Size{3, 3})}) {
       // A past that knows half of the pixels, and a flow that a tenth of them have

@@ -42,7 +42,7 @@ TEST(DistanceField, AgreesWithBruteForceOnRandomMasks) {
 }
 
 TEST(DistanceField, AgreesWithBruteForceOnBlobs) {
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
     const Mask mask = test::randomBlobs({41, 29}, seed);
     EXPECT_TRUE(test::nearEverywhere(bruteForce(mask), signedDistance(mask), 1e-5F)) << seed;
   }

@@ -26,7 +26,7 @@ TEST(SmoothMask, SigmaZeroCopies) {
 }
 
 TEST(SmoothMask, WorkingInTheBoundingBoxChangesNothing) {
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     const Mask mask = test::randomBlobs({90, 70}, seed);
     const MaskOptions options{3.0F, 0.3F};
     EXPECT_TRUE(test::equalEverywhere(smoothedSlowly(mask, options), smoothMask(mask, options)));
