@@ -229,6 +229,7 @@ TEST(EndToEndInput, GiganticHeadersAreRefusedAtOnce) {
       {16385, 1, "claims 16385x1 pixels; wanted at most 16384 a side"},
       {16384, 16384, "claims 16384x16384 pixels; wanted at most 16384 a side and 120 million"},
       {0, 5, "damaged PNG file (it claims 0x5 pixels)"},
+      {10000, 10000, "damaged PNG file (its "},  // within the limits, but the file is tiny
   };
   for (const std::string& input : kInputs) {
     for (const Claim& claim : claims) {
@@ -237,6 +238,9 @@ TEST(EndToEndInput, GiganticHeadersAreRefusedAtOnce) {
                                   {"IDAT", deflatedZeros(1000)},
                                   {"IEND", {}}});
       scene.write(SmallScene::frame(input, 1), file);
+      // An exemplar and masks of one size, or that alone would be reason enough.
+      if (input == "src") scene.write("mask/00001.png", file);
+      if (input == "mask") scene.write("src/00001.png", file);
       const ProcessResult result = refusal(scene);
       EXPECT_TRUE(failedNaming(1, "", {"00001.png: ", claim.complaint}, result));
       EXPECT_LT(result.peakBytes, kModestBytes) << input << " " << claim.complaint;
