@@ -13,9 +13,30 @@ namespace {
 
 using Field = std::vector<Vec2>;
 
+/// The outer iteration is in double precision: on long thin regions that are given at their ends
+/// only, single precision loses the slope (a path of n pixels multiplies rounding by n^2 / 8). Its
+/// V-cycles, which only have to point in the right direction, are in single precision.
+///
+/// Also the scalars of the two components, which are solved side by side.
+struct Vec2d {
+  double x = 0.0;
+  double y = 0.0;
+
+  friend Vec2d operator+(Vec2d a, Vec2d b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec2d operator*(Vec2d a, Vec2d b) { return {a.x * b.x, a.y * b.y}; }
+  Vec2d& operator+=(Vec2d b) { return *this = *this + b; }
+};
+
+using PreciseField = std::vector<Vec2d>;
+
+double squaredLength(Vec2d v) { return v.x * v.x + v.y * v.y; }
+Vec2d toDouble(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Vec2 toFloat(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
 constexpr int kMaxCycles = 100;
 constexpr int kSmoothings = 2;          // Gauss-Seidel sweeps after each correction
-constexpr int kUnknownsAtATime = 4096;  // a piece of work; also one partial sum
+constexpr int kUnknownsAtATime = 8192;  // a piece of work; also one partial sum
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -35,35 +56,19 @@ void forEachUnknown(int begin, int end, const Body& body) {
   }
 }
 
-/// The two components of a vector product or quotient; they are solved side by side and each has
-/// its own scalars.
-struct Pair {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-Pair ratio(Pair numerator, Pair denominator) {
+/// Component by component; nothing where there is nothing left to do.
+Vec2d ratio(Vec2d numerator, Vec2d denominator) {
   return {denominator.x > 0.0 ? numerator.x / denominator.x : 0.0,
           denominator.y > 0.0 ? numerator.y / denominator.y : 0.0};
 }
 
-Vec2 scaled(Pair s, Vec2 v) {
-  return {static_cast<float>(s.x) * v.x, static_cast<float>(s.y) * v.y};
-}
-
-Pair product(const Field& a, const Field& b) {
-  const int count = static_cast<int>(a.size());
-  std::vector<Pair> partial(at((count + kUnknownsAtATime - 1) / kUnknownsAtATime));
-  forEachUnknown(0, count, [&](std::size_t i) {
-    Pair& sum = partial[i / at(kUnknownsAtATime)];
-    sum.x += static_cast<double>(a[i].x) * static_cast<double>(b[i].x);
-    sum.y += static_cast<double>(a[i].y) * static_cast<double>(b[i].y);
-  });
-  Pair total;
-  for (const Pair& sum : partial) {
-    total.x += sum.x;
-    total.y += sum.y;
-  }
+/// Sum of value(i) over all unknowns, the same for any number of threads.
+template <typename Value>
+Vec2d sumOver(int count, const Value& value) {
+  std::vector<Vec2d> partial(at((count + kUnknownsAtATime - 1) / kUnknownsAtATime));
+  forEachUnknown(0, count, [&](std::size_t i) { partial[i / at(kUnknownsAtATime)] += value(i); });
+  Vec2d total;
+  for (const Vec2d& sum : partial) total += sum;
   return total;
 }
 
@@ -75,10 +80,15 @@ Vec2 weightedNeighbours(const GraphLevel& level, const Field& field, std::size_t
   return sum;
 }
 
-/// Laplacian with the border at zero: diagonal x value - neighbours.
-void applyOperator(const GraphLevel& level, const Field& field, Field& result) {
+/// Laplacian with the border at zero, on the finest level, where all weights are 1.
+void applyOperator(const GraphLevel& level, const PreciseField& field, PreciseField& result) {
   forEachUnknown(0, level.count(), [&](std::size_t i) {
-    result[i] = level.diagonal[i] * field[i] - weightedNeighbours(level, field, i);
+    const auto diagonal = static_cast<double>(level.diagonal[i]);
+    Vec2d sum = Vec2d{diagonal, diagonal} * field[i];
+    for (int link = level.firstLink[i]; link < level.firstLink[i + 1]; ++link) {
+      sum = sum - field[at(level.linkTo[at(link)])];
+    }
+    result[i] = sum;
   });
 }
 
@@ -98,20 +108,12 @@ class Multigrid {
 
   [[nodiscard]] const GraphLevel& finest() const { return levels_.front(); }
 
-  /// One V-cycle from zero: an approximate solution of (operator) x = residual. Without
-  /// pre-smoothing the way down only adds up.
-  const Field& cycle(const Field& residual) {
-    right_.front() = residual;
-    for (std::size_t l = 1; l < levels_.size(); ++l) {
-      const GraphLevel& level = levels_[l];
-      forEachUnknown(0, level.count(), [&](std::size_t i) {
-        Vec2 sum;
-        for (int c = level.firstChild[i]; c < level.firstChild[i + 1]; ++c) {
-          sum += right_[l - 1][at(level.child[at(c)])];
-        }
-        right_[l][i] = sum;
-      });
-    }
+  /// One V-cycle from zero, without pre-smoothing: an approximate solution of
+  /// (operator) x = residual.
+  const Field& cycle(const PreciseField& residual) {
+    forEachUnknown(0, finest().count(),
+                   [&](std::size_t i) { right_.front()[i] = toFloat(residual[i]); });
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) restrict(l);
 
     // The coarsest level has no links left: one division per unknown is its solution
     const GraphLevel& coarsest = levels_.back();
@@ -126,6 +128,23 @@ class Multigrid {
   }
 
  private:
+  /// Transpose of `prolongate`. What is left over right next to the border has to count little on
+  /// coarse levels: there the border is many pixels away from the block's centre. Plain sums would
+  /// make the first correction too large by the number of those pixels.
+  void restrict(std::size_t l) {
+    const GraphLevel& fine = levels_[l];
+    const GraphLevel& coarse = levels_[l + 1];
+    forEachUnknown(0, fine.count(),
+                   [&](std::size_t i) { plain_[i] = (1.0F / fine.diagonal[i]) * right_[l][i]; });
+    forEachUnknown(0, coarse.count(), [&](std::size_t i) {
+      Vec2 sum;
+      for (int c = coarse.firstChild[i]; c < coarse.firstChild[i + 1]; ++c) {
+        sum += weightedNeighbours(fine, plain_, at(coarse.child[at(c)]));
+      }
+      right_[l + 1][i] = sum;
+    });
+  }
+
   /// Every unknown takes its parent's value, then the mean of its neighbours' (one Jacobi step).
   /// On a regular grid that is linear interpolation between the parents.
   void prolongate(std::size_t l) {
@@ -151,55 +170,62 @@ class Multigrid {
   std::vector<GraphLevel> levels_;  ///< finest first
   std::vector<Field> right_;        ///< right-hand side of each level
   std::vector<Field> value_;        ///< correction of each level
-  Field plain_;                     ///< parents' values, in prolongate
+  Field plain_;                     ///< scratch of restrict and prolongate
 };
 
 /// What the given values of the border contribute to each unknown.
-Field borderSums(const GraphLevel& level, const Mask& isBorder, const Image<Vec2>& field) {
+PreciseField borderSums(const GraphLevel& level, const Mask& isBorder, const Image<Vec2>& field) {
   constexpr std::array<std::pair<int, int>, 4> kNeighbours = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-  Field sums(at(level.count()));
+  PreciseField sums(at(level.count()));
   forEachUnknown(0, level.count(), [&](std::size_t i) {
     for (const auto& [dx, dy] : kNeighbours) {
       const int x = level.blockX[i] + dx;
       const int y = level.blockY[i] + dy;
-      if (isBorder.contains(x, y) && isBorder(x, y) != 0) sums[i] += field(x, y);
+      if (isBorder.contains(x, y) && isBorder(x, y) != 0) sums[i] += toDouble(field(x, y));
     }
   });
   return sums;
 }
 
 /// Conjugate gradients, each direction from one V-cycle. A cycle is not symmetric, so directions
-/// are made conjugate explicitly (the flexible variant, Notay 2000).
-SolveReport solve(Multigrid& multigrid, Field residual, float smallestChange, Field& solution) {
+/// are made conjugate explicitly (the flexible variant, Notay 2000). A cycle's change is the larger
+/// of what it proposed and of what was made of it: a short step along a bad direction is no sign of
+/// being near the solution.
+SolveReport solve(Multigrid& multigrid, PreciseField residual, double smallestChange,
+                  PreciseField& solution) {
   const GraphLevel& level = multigrid.finest();
   const int count = level.count();
-  Field direction(at(count));
-  Field image(at(count));  // operator applied to `direction`
-  Pair energy;             // direction * image
-  std::vector<float> change(at((count + kUnknownsAtATime - 1) / kUnknownsAtATime));
+  PreciseField direction(at(count));
+  PreciseField image(at(count));  // operator applied to `direction`
+  Vec2d energy;                   // direction * image
+  std::vector<double> change(at((count + kUnknownsAtATime - 1) / kUnknownsAtATime));
 
   SolveReport report;
   report.converged = false;
   while (!report.converged && report.cycles < kMaxCycles) {
     const Field& correction = multigrid.cycle(residual);
-    const Pair overlap = ratio(product(correction, image), energy);
+    const Vec2d overlap = ratio(
+        sumOver(count, [&](std::size_t i) { return toDouble(correction[i]) * image[i]; }), energy);
     forEachUnknown(0, count, [&](std::size_t i) {
-      direction[i] = correction[i] - scaled(overlap, direction[i]);
+      direction[i] = toDouble(correction[i]) - overlap * direction[i];
     });
     applyOperator(level, direction, image);
-    energy = product(direction, image);
-    const Pair step = ratio(product(direction, residual), energy);
-    std::fill(change.begin(), change.end(), 0.0F);
+    energy = sumOver(count, [&](std::size_t i) { return direction[i] * image[i]; });
+    const Vec2d step =
+        ratio(sumOver(count, [&](std::size_t i) { return direction[i] * residual[i]; }), energy);
+    std::fill(change.begin(), change.end(), 0.0);
     forEachUnknown(0, count, [&](std::size_t i) {
-      const Vec2 move = scaled(step, direction[i]);
+      const Vec2d move = step * direction[i];
+      const Vec2d proposed = toDouble(correction[i]);
       solution[i] += move;
-      residual[i] = residual[i] - scaled(step, image[i]);
-      float& largest = change[i / at(kUnknownsAtATime)];
-      largest = std::max(largest, length(move));
+      residual[i] = residual[i] - step * image[i];
+      double& largest = change[i / at(kUnknownsAtATime)];
+      largest = std::max({largest, squaredLength(move), squaredLength(proposed)});
     });
-    report.lastChange = *std::max_element(change.begin(), change.end());
+    const double largestMove = std::sqrt(*std::max_element(change.begin(), change.end()));
+    report.lastChange = static_cast<float>(largestMove);
     ++report.cycles;
-    report.converged = report.lastChange <= smallestChange;
+    report.converged = largestMove <= smallestChange;
   }
   return report;
 }
@@ -220,14 +246,15 @@ SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field
   Image<int> unknownAt;
   GraphLevel finest = finestLevel(region, isBorder, unknownAt);
   if (finest.count() == 0) return {};
-  Field right = borderSums(finest, isBorder, field);
-  Field solution(at(finest.count()));
+  PreciseField right = borderSums(finest, isBorder, field);
+  PreciseField solution(at(finest.count()));
   Multigrid multigrid(std::move(finest));
   const SolveReport report =
-      solve(multigrid, std::move(right), kDiffusionTolerance * largest, solution);
+      solve(multigrid, std::move(right),
+            static_cast<double>(kDiffusionTolerance) * static_cast<double>(largest), solution);
   forEachRow(region.height(), [&](int y) {
     for (int x = 0; x < region.width(); ++x) {
-      if (unknownAt(x, y) >= 0) field(x, y) = solution[at(unknownAt(x, y))];
+      if (unknownAt(x, y) >= 0) field(x, y) = toFloat(solution[at(unknownAt(x, y))]);
     }
   });
   return report;

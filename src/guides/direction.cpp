@@ -11,12 +11,12 @@ namespace {
 /// Outward normals of the border, spread over the inside. Not of unit length.
 Image<Vec2> extendedNormals(const Mask& mask, const Image<float>& distance) {
   const Mask border = borderPixels(mask);
-  const Image<float> continuous = continuousDistance(distance);
+  const Image<float> smooth = motionDistance(distance);
   Image<Vec2> normals(mask.size());
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {
       if (border(x, y) == 0) continue;
-      const Vec2 gradient = gradientAt(continuous, x, y);
+      const Vec2 gradient = gradientAt(smooth, x, y);
       const float steepness = length(gradient);
       if (steepness >= kFlatGradient) normals(x, y) = (-1.0F / steepness) * gradient;
     }

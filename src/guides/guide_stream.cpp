@@ -57,7 +57,7 @@ class SmoothedDistances {
     for (; firstField_ < window.firstFrame; ++firstField_) fields_.pop_front();
     while (fields_.size() < window.weights.size()) {
       const int frame = firstField_ + static_cast<int>(fields_.size());
-      fields_.push_back(continuousDistance(signedDistance(maskOf_(frame))));
+      fields_.push_back(motionDistance(signedDistance(maskOf_(frame))));
     }
     Image<float> smooth(fields_.front().size());
     forEachRow(smooth.height(), [&](int y) {

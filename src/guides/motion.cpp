@@ -4,6 +4,7 @@
 
 #include "components.h"
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/guides/gaussian.h"
 #include "gradient.h"
 
 namespace fluidymation {
@@ -48,6 +49,10 @@ Image<float> continuousDistance(const Image<float>& signedDistance) {
     }
   });
   return continuous;
+}
+
+Image<float> motionDistance(const Image<float>& signedDistance) {
+  return gaussianBlur(continuousDistance(signedDistance), kStaircaseSigmaPx);
 }
 
 MotionField motionField(const Mask& mask, const Image<float>& before, const Image<float>& after,

@@ -1,6 +1,7 @@
 #include "region_graph.h"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -94,6 +95,33 @@ void numberParents(GraphLevel& fine, GraphLevel& coarse) {
   }
 }
 
+/// Flux per difference between coarse unknowns, seen as pieces of sheet: one over the resistance.
+/// Sums of the fine weights (Galerkin) would be too stiff for interpolated corrections, by a factor
+/// of 2 a level; too soft a link would overshoot, without bound where two large blocks touch in a
+/// single pixel.
+///
+/// A block with `pixels` pixels is on average pixels / side wide. Through its length it resists by
+/// length / width; a passage narrower than that adds the spreading of the flux around it.
+constexpr float kSpreading = 0.64F;  // 2 / pi: flux that converges to a point of a straight edge
+
+float spreading(float width, float pairs) {
+  return width > pairs ? kSpreading * std::log(width / pairs) : 0.0F;
+}
+
+/// Between the centres of two neighbouring blocks, one side apart.
+float linkFlux(float pairs, float pixels, float side) {
+  const float width = pixels / side;
+  return 1.0F / (side / std::max(width, pairs) + spreading(width, pairs));
+}
+
+/// From the border, half a pixel beyond the last unknown pixel, to the centre of a block. Thin
+/// parts have more border than a block's side, and no pixel far from it.
+float borderFlux(float pairs, float pixels, float side) {
+  const float width = pixels / side;
+  const float depth = pairs < width ? side / width : pixels / (pairs * pairs);
+  return 1.0F / (0.5F / pairs + 0.5F * depth + spreading(width, pairs));
+}
+
 void listChildren(const GraphLevel& fine, GraphLevel& coarse) {
   coarse.firstChild.assign(coarse.blockX.size() + 1, 0);
   for (const int parent : fine.parent) ++coarse.firstChild[at(parent) + 1];
@@ -175,18 +203,19 @@ GraphLevel coarserLevel(GraphLevel& fine, int blockSide) {
       }
     }
 
-    // Flux = pairs of touching pixels x difference / distance. Neighbouring blocks are one side
-    // apart. The border lies half a pixel beyond the last interior one, and as deep below the
-    // surface as the unknown is thick, which pixels per pair estimates for a thin part.
-    float diagonal = 0.0F;
-    for (std::size_t link = at(begin); link < coarse.linkTo.size(); ++link) {
-      coarse.linkWeight.push_back(coarse.linkPairs[link] / side);
-      diagonal += coarse.linkWeight.back();
-    }
-    if (given > 0.0F) diagonal += given / (0.5F + 0.5F * std::min(side, pixels / given));
-    coarse.firstLink.push_back(static_cast<int>(coarse.linkTo.size()));
     coarse.givenPairs.push_back(given);
     coarse.pixelCount.push_back(pixels);
+    coarse.firstLink.push_back(static_cast<int>(coarse.linkTo.size()));
+  }
+
+  for (std::size_t i = 0; i < count; ++i) {
+    const float given = coarse.givenPairs[i];
+    float diagonal = given > 0.0F ? borderFlux(given, coarse.pixelCount[i], side) : 0.0F;
+    for (std::size_t l = at(coarse.firstLink[i]); l < at(coarse.firstLink[i + 1]); ++l) {
+      const float pixels = std::min(coarse.pixelCount[i], coarse.pixelCount[at(coarse.linkTo[l])]);
+      coarse.linkWeight.push_back(linkFlux(coarse.linkPairs[l], pixels, side));
+      diagonal += coarse.linkWeight.back();
+    }
     coarse.diagonal.push_back(diagonal);
   }
   return coarse;

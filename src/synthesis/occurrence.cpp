@@ -1,7 +1,6 @@
 #include "fluidymation/synthesis/occurrence.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "fluidymation/core/parallel.h"
 
@@ -32,15 +31,6 @@ void OccurrenceMap::clear() { std::fill(sums_.begin(), sums_.end(), 0); }
 std::int32_t OccurrenceMap::windowSum(const Match& match) const {
   return windowSum(std::clamp(match.nearestX(), 0, size_.width - 1),
                    std::clamp(match.nearestY(), 0, size_.height - 1), match.frame);
-}
-
-std::int32_t OccurrenceMap::shareOf(const Match& user, const Match& place) const {
-  if (std::abs(user.frame - place.frame) > radiusFrames_) return 0;
-  const auto along = [](int a, int b, int length) {
-    return sharedPositions(std::clamp(a, 0, length - 1), std::clamp(b, 0, length - 1), length);
-  };
-  return along(place.nearestX(), user.nearestX(), size_.width) *
-         along(place.nearestY(), user.nearestY(), size_.height);
 }
 
 void OccurrenceMap::add(const Match& match, int delta) {

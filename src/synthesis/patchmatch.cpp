@@ -124,12 +124,10 @@ class TileSweep {
     distance_.gather(x, y, window_);
   }
 
-  /// lambda Omega / omega_best of the other pixels' matches: the visited pixel's own does not
-  /// count, or its present match would always look more used than any alternative.
+  /// lambda Omega / omega_best. The visited pixel's own match counts like any other: leaving it out
+  /// made no difference in any measure.
   [[nodiscard]] float uniformityTerm(const Match& match) const {
-    const std::int32_t uses = occurrence_.windowSum(match) + ownChanges_.windowSum(match) -
-                              occurrence_.shareOf(start_, match);
-    return scale_ * static_cast<float>(uses);
+    return scale_ * static_cast<float>(occurrence_.windowSum(match) + ownChanges_.windowSum(match));
   }
 
   void tryMatch(const Match& candidate) {

@@ -5,8 +5,8 @@
 namespace fluidymation {
 
 /// The diffusion stops once a V-cycle changes no value by more than this share of the largest
-/// border value. A small residual would bound nothing; what bounds the error is that a cycle leaves
-/// at most a third of it.
+/// border value. A small residual would bound nothing; a small change does, since a cycle leaves
+/// about a fifth of the error.
 inline constexpr float kDiffusionTolerance = 1e-3F;
 
 /// What an iterative solver did.
@@ -25,8 +25,11 @@ struct SolveReport {
 ///      . . B B B . .      .  outside: set to zero
 ///
 /// Connected parts of the region (4-neighbours) do not mix; a part without any border pixel gets
-/// zero. Multigrid V-cycles without pre-smoothing, Gauss-Seidel as post-smoothing; stops when no
-/// value changed by more than `kDiffusionTolerance` times the largest border value in one cycle.
+/// zero. Multigrid V-cycles without pre-smoothing, Gauss-Seidel as post-smoothing, accelerated by
+/// conjugate gradients; at most 100. Stops when no value changed by more than `kDiffusionTolerance`
+/// times the largest border value in one cycle: after 4 to 6 cycles on shapes with a border all
+/// round, 5 to 20 where most of the outline is free. Paths one pixel wide and thousands long that
+/// are given at their ends only take more than 100; in the border of a mask there are none.
 /// @param region    nonzero where u lives.
 /// @param isBorder  nonzero where u is given; a subset of `region`.
 /// @param field     in: values at the border pixels; out: the solution, zero outside the region.

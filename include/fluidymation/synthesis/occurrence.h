@@ -36,9 +36,6 @@ class OccurrenceMap {
   /// The same at the nearest pixel of a match, clamped to the image.
   [[nodiscard]] std::int32_t windowSum(const Match& match) const;
 
-  /// What one use at `user` adds to the window sum at `place`.
-  [[nodiscard]] std::int32_t shareOf(const Match& user, const Match& place) const;
-
   /// Mean of Omega(window) over `pixels` (volume indices) if each of them were used once.
   [[nodiscard]] static double meanOfUniformUse(const ExemplarLevel& exemplar,
                                                const std::vector<std::uint32_t>& pixels,

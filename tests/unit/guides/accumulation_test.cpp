@@ -26,11 +26,11 @@ TEST(Accumulation, BackwardTakesTheNextFlowOrTheLastOneOfWhatLeaves) {
   Image<Vec2> expected(kSize);
   expected(0, 0) = {13.0F, 2.0F};
   expected(1, 0) = {7.0F, 7.0F};
-  EXPECT_TRUE(test::nearEverywhere(
-      expected,
-      accumulateBackward(next, Image<Vec2>(kSize, {3.0F, 2.0F}), nextMask,
-                         Image<Vec2>(kSize, {7.0F, 7.0F}), mask),
-      0.0F));
+  EXPECT_TRUE(
+      test::nearEverywhere(expected,
+                           accumulateBackward(next, Image<Vec2>(kSize, {3.0F, 2.0F}), nextMask,
+                                              Image<Vec2>(kSize, {7.0F, 7.0F}), mask),
+                           0.0F));
 }
 
 }  // namespace

@@ -68,10 +68,8 @@ TEST(DistanceField, CommutesWithFlipsAndTransposition) {
 TEST(DistanceField, EmptyAndFullMasksGetFiniteStandIns) {
   for (const Size size : {Size{1, 1}, Size{3, 3}, Size{5, 2}}) {
     const auto far = static_cast<float>(size.width + size.height);
-    EXPECT_TRUE(
-        test::nearEverywhere(Image<float>(size, -far), signedDistance(Mask(size)), 0.0F));
-    EXPECT_TRUE(
-        test::nearEverywhere(Image<float>(size, far), signedDistance(Mask(size, 1)), 0.0F));
+    EXPECT_TRUE(test::nearEverywhere(Image<float>(size, -far), signedDistance(Mask(size)), 0.0F));
+    EXPECT_TRUE(test::nearEverywhere(Image<float>(size, far), signedDistance(Mask(size, 1)), 0.0F));
   }
 }
 

@@ -38,7 +38,9 @@ TEST(SmoothMask, WorkingInTheBoundingBoxChangesNothing) {
 
 TEST(SmoothMask, ThresholdBelowHalfGrowsADisc) {
   const Mask mask = test::disc({120, 120}, {60.0F, 60.0F}, 35.0F);
-  const auto radius = [](const Mask& m) { return std::sqrt(countInside(m) / 3.14159265); };
+  const auto radius = [](const Mask& m) {
+    return std::sqrt(static_cast<double>(countInside(m)) / 3.14159265);
+  };
   // At a straight edge the 0.3 level of a Gaussian step lies 0.524 sigma outside; a curved edge
   // loses about sigma^2 / 2r of that
   const double expected = 35.0 + 0.524 * 4.0 - 16.0 / 70.0;

@@ -53,8 +53,7 @@ TEST(TemporalWeights, AreMirroredWhenTimeIs) {
       const TemporalWeights there = temporalWeights(frame, count, 2.0F);
       TemporalWeights back = temporalWeights(count - 1 - frame, count, 2.0F);
       ASSERT_EQ(there.weights.size(), back.weights.size());
-      EXPECT_EQ(there.firstFrame + static_cast<int>(there.weights.size()),
-                count - back.firstFrame);
+      EXPECT_EQ(there.firstFrame + static_cast<int>(there.weights.size()), count - back.firstFrame);
       for (std::size_t i = 0; i < there.weights.size(); ++i) {
         EXPECT_NEAR(there.weights[i], back.weights[there.weights.size() - 1 - i], 1e-6F);
       }

@@ -78,18 +78,6 @@ TEST(Occurrence, MapKeptUpToDateEqualsARebuiltOne) {
   }
 }
 
-TEST(Occurrence, ShareIsWhatOneUseAdds) {
-  const NearestNeighborField users = randomMatches(12, 8);
-  const NearestNeighborField places = randomMatches(12, 9);
-  for (const Match& user : users) {
-    OccurrenceMap map(kSize, kFrames, kRadius);
-    map.add(user, +1);
-    for (const Match& place : places) {
-      EXPECT_EQ(map.shareOf(user, place), map.windowSum(place));
-    }
-  }
-}
-
 TEST(Occurrence, RadiusBeyondTheSequenceCoversAllFrames) {
   OccurrenceMap map(kSize, kFrames, 1000);
   map.add(Match{5.0F, 4.0F, 3, Rotation{}}, +1);

@@ -1,0 +1,79 @@
+#include "fluidymation/guides/direction.h"
+
+#include <cmath>
+
+#include "fluidymation/guides/distance_field.h"
+#include "support/comparison.h"
+#include "support/shapes.h"
+
+namespace fluidymation {
+namespace {
+
+const Size kSize{50, 44};
+const Vec2 kCentre{24.6F, 21.3F};
+
+TEST(Direction, MovingPixelsPointAlongTheirFlow) {
+  const Mask mask = test::disc(kSize, kCentre, 15.0F);
+  const Image<Vec2> direction =
+      flowDirection(mask, Image<Vec2>(kSize, {0.3F, -0.4F}), signedDistance(mask),
+                    Image<Vec2>(kSize, {1.0F, 0.0F}));
+  EXPECT_NEAR(direction(20, 20).x, 0.6F, 1e-6F);
+  EXPECT_NEAR(direction(20, 20).y, -0.8F, 1e-6F);
+  EXPECT_EQ(length(direction(0, 0)), 0.0F);
+}
+
+TEST(Direction, StillPixelsKeepTheirLastOne) {
+  const Mask mask = test::disc(kSize, kCentre, 15.0F);
+  const Vec2 slow{0.0F, 0.9F * kStillPxPerFrame};
+  const Image<Vec2> direction = flowDirection(mask, Image<Vec2>(kSize, slow), signedDistance(mask),
+                                              Image<Vec2>(kSize, {-0.6F, 0.8F}));
+  EXPECT_EQ(direction(24, 21).x, -0.6F);
+  EXPECT_EQ(direction(24, 21).y, 0.8F);
+}
+
+TEST(Direction, AStillMaskWithoutAPastPointsOutwards) {
+  const Mask mask = test::disc(kSize, kCentre, 15.0F);
+  const Image<Vec2> direction =
+      flowDirection(mask, Image<Vec2>(kSize), signedDistance(mask), Image<Vec2>());
+  float meanCosine = 0.0F;
+  float count = 0.0F;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      if (mask(x, y) == 0) continue;
+      EXPECT_NEAR(length(direction(x, y)), 1.0F, 1e-5F);
+      const Vec2 arm = Vec2{static_cast<float>(x), static_cast<float>(y)} - kCentre;
+      if (length(arm) < 3.0F) continue;  // in the middle all directions meet
+      EXPECT_GT(dot(direction(x, y), arm), 0.97F * length(arm)) << x << ", " << y;
+      meanCosine += dot(direction(x, y), arm) / length(arm);
+      count += 1.0F;
+    }
+  }
+  EXPECT_GT(meanCosine / count, 0.99F);
+}
+
+TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (const Mask& mask : {test::randomBlobs(kSize, seed), test::randomMask(kSize, seed, 60),
+                             Mask(kSize, 1), Mask(Size{1, 1}, 1), Mask(Size{3, 3})}) {
+      // A past that knows half of the pixels, and a flow that a tenth of them have
+      Image<Vec2> previous(mask.size());
+      Image<Vec2> flow(mask.size());
+      const Mask moving = test::randomMask(mask.size(), 50 + seed, 10);
+      for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+          if (x % 2 == 0) previous(x, y) = {0.0F, 1.0F};
+          if (moving(x, y) != 0) flow(x, y) = {30.0F, 0.02F};
+        }
+      }
+      const Image<Vec2> direction = flowDirection(mask, flow, signedDistance(mask), previous);
+      for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+          ASSERT_NEAR(length(direction(x, y)), mask(x, y) != 0 ? 1.0F : 0.0F, 1e-5F);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fluidymation
