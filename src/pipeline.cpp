@@ -82,17 +82,61 @@ Inputs openInputs(const Options& options, const Observer& observer) {
   return inputs;
 }
 
-/// The frames to be written: checked not to replace anything that is read, in a folder that exists
-/// and can be written.
-std::vector<std::string> prepareOutput(const Options& options, const Inputs& inputs) {
+std::string dumpFolder(const Options& options, const std::string& sequence) {
+  return (std::filesystem::path(*options.dumpGuidesDirectory) / sequence).string();
+}
+
+/// One spelling for all paths to a file, also in folders that are still to be created.
+std::filesystem::path canonical(const std::string& path) {
   namespace fs = std::filesystem;
+  std::error_code ignored;
+  fs::path resolved = fs::absolute(path, ignored);
+  // A folder that does not exist yet is not resolved, and the ".." behind it may lead to a link:
+  // hence twice.
+  for (int i = 0; i < 2; ++i) {
+    const fs::path once = fs::weakly_canonical(resolved, ignored);
+    resolved = ignored ? resolved.lexically_normal() : once;
+  }
+  return resolved;
+}
+
+/// Whether a dump into `folder` can write `path`; its files are NNNNN.<channel>.<extension>.
+bool isDumpFile(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t dot = name.find('.');
+  return path.parent_path() == folder && dot != name.rfind('.') &&
+         FramePattern("%05d").numberOf(name.substr(0, dot)).has_value();
+}
+
+/// @throws UsageError where the dump would replace a painted frame or anything that is read.
+void checkDump(const Options& options, const std::set<std::filesystem::path>& read,
+               const std::vector<std::string>& painted) {
+  const std::string option = "--dump-guides " + *options.dumpGuidesDirectory + ": ";
+  for (const char* sequence : {"source", "target"}) {
+    const std::string folder = dumpFolder(options, sequence);
+    const std::filesystem::path resolved = canonical(folder);
+    for (const std::filesystem::path& path : read) {
+      if (!isDumpFile(resolved, path)) continue;
+      throw UsageError(option + folder + "/" + path.filename().string() +
+                       " is an input and would be overwritten; choose another folder");
+    }
+    for (const std::string& path : painted) {
+      if (!isDumpFile(resolved, canonical(path))) continue;
+      throw UsageError(option + path + " is a painted frame; choose another folder");
+    }
+  }
+}
+
+void createWritableFolder(const std::string& folder) {
+  createFolder(folder);
+  checkFolderWritable(folder);
+}
+
+/// The frames to be written: checked not to replace anything that is read, in a folder that exists
+/// and can be written; likewise the folders of the dump.
+std::vector<std::string> prepareOutput(const Options& options, const Inputs& inputs) {
   const FramePattern pattern(options.outPath);
-  const auto canonical = [](const std::string& path) {
-    std::error_code ignored;
-    const fs::path resolved = fs::weakly_canonical(path, ignored);
-    return ignored ? fs::path(path).lexically_normal().string() : resolved.string();
-  };
-  std::set<std::string> read;
+  std::set<std::filesystem::path> read;
   for (const InputSequence* input : {&inputs.color, &inputs.sourceMask, &inputs.target}) {
     for (const std::string& path : input->files.paths) read.insert(canonical(path));
   }
@@ -104,8 +148,14 @@ std::vector<std::string> prepareOutput(const Options& options, const Inputs& inp
                        " is an input and would be overwritten; choose another --out-path");
     }
   }
-  createFolder(pattern.folder());
-  checkFolderWritable(pattern.folder());
+  if (options.dumpGuidesDirectory) checkDump(options, read, paths);
+
+  createWritableFolder(pattern.folder());
+  for (const std::string& path : paths) checkReplaceable(path);
+  if (options.dumpGuidesDirectory) {
+    createWritableFolder(dumpFolder(options, "source"));
+    createWritableFolder(dumpFolder(options, "target"));
+  }
   return paths;
 }
 
@@ -125,10 +175,6 @@ GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
         return readMask(masks.files.paths[static_cast<std::size_t>(frame)], masks.scaled);
       },
       GuideOptions{maskOptions, timeBlurSigmaFrames});
-}
-
-std::string dumpFolder(const Options& options, const std::string& sequence) {
-  return (std::filesystem::path(*options.dumpGuidesDirectory) / sequence).string();
 }
 
 Exemplar readExemplar(const Options& options, const Inputs& inputs) {

@@ -76,14 +76,20 @@ class TemporaryFile {
 
 }  // namespace
 
-void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write) {
+void checkReplaceable(const std::string& path) {
   struct stat status {};
-  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+  if (stat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT) failToWrite(path, errno);
+  } else if (!S_ISREG(status.st_mode)) {
     // Renaming would replace a device such as /dev/null by a picture.
     throw Error(path + ": cannot be written (" +
                 (S_ISDIR(status.st_mode) ? "it is a folder" : "it exists and is no regular file") +
                 ")");
   }
+}
+
+void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write) {
+  checkReplaceable(path);
   TemporaryFile file(path);
   write([&file](const void* data, std::size_t byteCount) { file.append(data, byteCount); });
   file.publish();

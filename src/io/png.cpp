@@ -291,7 +291,9 @@ void decodeRow(const png_byte* row, bool wide, const float* table, int width, Rg
 
 Size readPngSize(const std::string& path) {
   const OpenFile input = openPng(path);
-  return readHeader(input.file.get(), path).size;
+  const Header header = readHeader(input.file.get(), path);
+  checkPlausible(header, input.byteCount, path);
+  return header.size;
 }
 
 Image<Rgba> readPng(const std::string& path) {

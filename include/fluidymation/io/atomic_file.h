@@ -15,6 +15,10 @@ using ByteSink = std::function<void(const void* data, std::size_t byteCount)>;
 /// @throws Error naming `path` and the system's reason; whatever `write` throws.
 void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write);
 
+/// Makes sure that `path` is free or an ordinary file, and a name that the file system takes,
+/// before any work is done. @throws Error naming `path` and the reason.
+void checkReplaceable(const std::string& path);
+
 /// Creates `folder` and its parents where missing. @throws Error naming the folder.
 void createFolder(const std::string& folder);
 

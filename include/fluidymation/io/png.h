@@ -22,7 +22,8 @@ struct Rgba {
 
 /// Size claimed by the header of a PNG file; the pixels are not read.
 /// @throws Error naming the file when it cannot be opened, is empty, is not a PNG, or claims a size
-///   beyond the limits above.
+///   beyond the limits above or beyond what a file of its length can hold: whoever allocates for
+///   the size returned is safe from small hostile files.
 [[nodiscard]] Size readPngSize(const std::string& path);
 
 /// Reads any PNG that libpng knows: 1 to 16 bit, gray, palette, RGB, with or without alpha or
