@@ -1,0 +1,70 @@
+#include "pipeline/inputs.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/core/resize.h"
+#include "fluidymation/io/frame_pattern.h"
+#include "fluidymation/io/png.h"
+
+namespace fluidymation {
+namespace {
+
+/// A mask image is inside from half the range up.
+constexpr float kInsideCoverage = 0.5F;
+
+std::string text(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+InputSequence openSequence(const std::string& path, const SequenceOptions& sequence,
+                           const std::string& optionName, const Observer& observer) {
+  InputSequence input;
+  input.files = findFrames(FramePattern(path), sequence, optionName);
+  if (!input.files.note.empty() && observer.note) observer.note(input.files.note);
+  input.scaled = scaledSize(commonSize(input.files), sequence.scale);
+  if (input.scaled.width > kMaxImageSidePx || input.scaled.height > kMaxImageSidePx ||
+      static_cast<std::int64_t>(input.scaled.width) * input.scaled.height > kMaxImagePixels) {
+    throw UsageError(optionName + ": frames scaled to " + text(input.scaled) + "; wanted at most " +
+                     std::to_string(kMaxImageSidePx) + " px a side and " +
+                     std::to_string(kMaxImagePixels) + " px in all");
+  }
+  return input;
+}
+
+}  // namespace
+
+Inputs openInputs(const Options& options, const Observer& observer) {
+  Inputs inputs;
+  inputs.color = openSequence(options.source.path, options.source, "--src-path", observer);
+  inputs.sourceMask =
+      openSequence(options.sourceMaskPath, options.source, "--src-mask-path", Observer{});
+  inputs.target = openSequence(options.target.path, options.target, "--target-path", observer);
+
+  const FrameFiles& color = inputs.color.files;
+  const FrameFiles& mask = inputs.sourceMask.files;
+  if (color.count() != mask.count()) {
+    throw Error("--src-mask-path " + options.sourceMaskPath + ": " + std::to_string(mask.count()) +
+                " frames, but --src-path " + options.source.path + " has " +
+                std::to_string(color.count()) + "; an exemplar and its masks must agree");
+  }
+  requireMasksOfSameSize(color, mask);
+  const Size size = inputs.color.scaled;
+  if (std::int64_t{size.width} * size.height * color.count() > kMaxExemplarPixels) {
+    throw UsageError("--src-path " + options.source.path + ": " + std::to_string(color.count()) +
+                     " frames of " + text(size) + "; wanted at most " +
+                     std::to_string(kMaxExemplarPixels) + " px in all (--src-frames, --src-scale)");
+  }
+  return inputs;
+}
+
+Mask readMask(const std::string& path, Size size) {
+  const Image<float> coverage = resize(readCoverage(path), size);
+  Mask mask(size);
+  std::transform(coverage.begin(), coverage.end(), mask.begin(),
+                 [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
+  return mask;
+}
+
+}  // namespace fluidymation

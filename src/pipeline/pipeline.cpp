@@ -1,0 +1,113 @@
+#include "fluidymation/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/error.h"
+#include "fluidymation/core/parallel.h"
+#include "fluidymation/core/resize.h"
+#include "fluidymation/guides/guide_dump.h"
+#include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/io/png.h"
+#include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/nnf_dump.h"
+#include "fluidymation/synthesis/pyramid.h"
+#include "fluidymation/synthesis/synthesizer.h"
+#include "pipeline/inputs.h"
+#include "pipeline/outputs.h"
+
+namespace fluidymation {
+namespace {
+
+GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
+                     float timeBlurSigmaFrames) {
+  return GuideStream(
+      masks.files.count(),
+      [&masks](int frame) {
+        return readMask(masks.files.paths[static_cast<std::size_t>(frame)], masks.scaled);
+      },
+      GuideOptions{maskOptions, timeBlurSigmaFrames});
+}
+
+Exemplar readExemplar(const Options& options, const Inputs& inputs) {
+  const Size size = inputs.color.scaled;
+  Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
+                    options.synthesis.borderWidthPx);
+  GuideStream guides = guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
+  bool anyInside = false;
+  for (int k = 0; k < exemplar.frameCount(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const GuideFrame frame = guides.next();
+    anyInside = anyInside || countInside(frame.mask) > 0;
+    if (options.dumpGuidesDirectory) {
+      dumpGuides(dumpFolder(options, "source"), inputs.color.files.numbers[i], frame);
+    }
+    exemplar.setFrame(k, toLab(resize(readColor(inputs.color.files.paths[i]), size)), frame);
+  }
+  if (!anyInside) {
+    throw Error("--src-mask-path " + options.sourceMaskPath + ": all " +
+                std::to_string(exemplar.frameCount()) +
+                " masks are empty after smoothing with --blur-sigma; wanted some material, so "
+                "check the masks or lower --blur-sigma");
+  }
+  exemplar.finish();
+  return exemplar;
+}
+
+std::uint8_t eightBit(float channel) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F));
+}
+
+/// Straight alpha: painted and opaque inside the mask, fully transparent elsewhere.
+Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
+  Image<Rgba8> output(picture.size());
+  forEachRow(picture.height(), [&](int y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      if (mask(x, y) == 0) continue;
+      const Rgb color = toRgb(picture(x, y));
+      output(x, y) = {eightBit(color.r), eightBit(color.g), eightBit(color.b), 255};
+    }
+  });
+  return output;
+}
+
+}  // namespace
+
+void stylize(const Options& options, const Observer& observer) {
+  using Clock = std::chrono::steady_clock;
+  omp_set_num_threads(options.threads);
+
+  const Inputs inputs = openInputs(options, observer);
+  const std::vector<std::string> outPaths = prepareOutput(options, inputs);
+  const Exemplar exemplar = readExemplar(options, inputs);
+
+  MaskOptions targetMask = options.sourceMask;
+  targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
+  GuideStream guides = guidesOf(inputs.target, targetMask, options.timeBlurSigmaFrames);
+  Synthesizer synthesizer(exemplar, options.synthesis);
+
+  for (int j = 0; j < guides.frameCount(); ++j) {
+    const auto i = static_cast<std::size_t>(j);
+    const Clock::time_point start = Clock::now();
+    const GuideFrame frame = guides.next();
+    const Image<Lab> picture = synthesizer.paint(frame);
+    writePng(outPaths[i], toOutput(picture, frame.mask));
+    const int number = inputs.target.files.numbers[i];
+    if (options.dumpGuidesDirectory) {
+      dumpGuides(dumpFolder(options, "target"), number, frame);
+      dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
+                               inputs.color.files.numbers, exemplar.level(0).size());
+    }
+    if (observer.frameDone) {
+      const std::chrono::duration<double> spent = Clock::now() - start;
+      observer.frameDone({j, guides.frameCount(), number, spent.count(), outPaths[i]});
+    }
+  }
+}
+
+}  // namespace fluidymation
