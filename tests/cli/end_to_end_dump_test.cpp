@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "fluidymation/guides/mask.h"
+#include "support/shapes.h"
 #include "support/small_scene.h"
 
 namespace fluidymation::test {
@@ -208,6 +209,49 @@ TEST_F(EndToEndDump, ExtentsBeginAndEndAtZero) {
   EXPECT_EQ(largest("target", 4, "ext_bwd.pfm"), 0.0F);
   EXPECT_GT(largest("target", 4, "ext_fwd.pfm"), 0.5F);
   EXPECT_GT(largest("target", 1, "ext_bwd.pfm"), 0.5F);
+}
+
+TEST_F(EndToEndDump, TheSecondFramesExtentIsItsFlow) {
+  for (const auto& [sequence, number] : {std::pair{std::string("source"), 3}, {"target", 2}}) {
+    const Size size = sequence == "source" ? kSource : kTarget;
+    const FloatImage flow = readFlow(path(sequence, number, "flow.flo"), size);
+    const FloatImage extent = plane(sequence, number, "ext_fwd.pfm");
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const float speed = length(Vec2{flow.at(x, y, 0), flow.at(x, y, 1)});
+        ASSERT_NEAR(extent.at(x, y), speed, 1e-5) << sequence << " (" << x << ", " << y << ")";
+      }
+    }
+  }
+}
+
+TEST_F(EndToEndDump, ThetaTurnsTheExemplarsFlowOntoTheTargets) {
+  // The exemplar moves to the right, the target to the right and down.
+  for (int number = 1; number <= kFrames; ++number) {
+    scene_.write(SmallScene::frame("mask", number),
+                 maskPng(maskOf(kSource, [=](int x, int) { return x < 12 + 2 * number; })));
+    scene_.write(SmallScene::frame("target", number),
+                 maskPng(maskOf(kTarget, [=](int x, int y) { return x + y < 18 + 3 * number; })));
+  }
+  (void)scene_.painting({{"--dump-guides", "turned"}});
+  for (int number = 1; number <= kFrames; ++number) {
+    const std::string stem = scene_.file("turned/target/0000" + std::to_string(number) + ".");
+    const FloatImage theta = readPfm(stem + "theta.pfm", "Pf", kTarget);
+    const FloatImage nnf = readPfm(stem + "nnf.pfm", "PF", kTarget);
+    int painted = 0;
+    int right = 0;
+    for (int y = 0; y < kTarget.height; ++y) {
+      for (int x = 0; x < kTarget.width; ++x) {
+        if (nnf.at(x, y, 2) < 0.0F) continue;
+        ++painted;
+        // An eighth of a turn clockwise, y being down, or the opposite of that.
+        const float turned = theta.at(x, y) < 0.0F ? theta.at(x, y) + kPi : theta.at(x, y);
+        right += std::abs(turned - kPi / 4.0F) < kPi / 8.0F ? 1 : 0;
+      }
+    }
+    EXPECT_GT(painted, 100);
+    EXPECT_GT(right, 0.95 * painted) << number;
+  }
 }
 
 TEST_F(EndToEndDump, AShrinkingExemplarFlowsInwards) {

@@ -311,6 +311,38 @@ TEST(EndToEndFrames, IterationListsBeginWithTheCoarsestLevel) {
   }
 }
 
+TEST(EndToEndFrames, TheSmallerOfExemplarAndTargetLimitsTheLevels) {
+  // 20x16 has two levels, of which only the coarser one is optimized; 70x60 alone has four.
+  const Size large{70, 60};
+  const Size small{20, 16};
+  for (const bool smallTarget : {false, true}) {
+    const SmallScene scene(1, smallTarget ? large : small, smallTarget ? small : large);
+    for (const char* option : {"--opt-iterations", "--patchmatch-iterations"}) {
+      EXPECT_TRUE(scene.painting({{option, "2,1"}}) == scene.painting({{option, "2,4"}})) << option;
+    }
+  }
+}
+
+TEST(EndToEndFrames, HalfCoverageIsInside) {
+  const SmallScene scene(1, {24, 20}, {28, 22});
+  const ToolOptions sharp = {{"--target-blur-sigma", "0"}};
+  PngSpec spec;
+  spec.size = {28, 22};
+  for (int i = 0; i < 28 * 22; ++i) spec.samples.push_back(i % 28 < 10 ? 127 : 128);
+  scene.write("target/00001.png", makePng(spec));
+  ASSERT_EQ(scene.painting(sharp).size(), 1U);
+  EXPECT_TRUE(isPaintedExactly(scene.file("out/00001.png"),
+                               maskOf(Size{28, 22}, [](int x, int) { return x >= 10; })));
+  // Two pixels make one: the column that is half covered counts.
+  scene.write("target/00001.png",
+              maskPng(maskOf(Size{28, 22}, [](int x, int) { return x >= 11; })));
+  ToolOptions halved = sharp;
+  halved["--target-scale"] = "0.5";
+  ASSERT_EQ(scene.painting(halved).size(), 1U);
+  EXPECT_TRUE(isPaintedExactly(scene.file("out/00001.png"),
+                               maskOf(Size{14, 11}, [](int x, int) { return x >= 5; })));
+}
+
 TEST(EndToEndFrames, TheTargetsScaleIsTheOutputsSize) {
   const SmallScene scene(1);
   const auto sizeWith = [&](const ToolOptions& options) {
