@@ -15,7 +15,7 @@ scripts/contact_sheet.py --exemplar samples/source/watercolour --target samples/
   --painted "$painted/watercolour-horse" --out docs/images/teaser.png --columns 4 --width 320
 sheet watercolour horse
 sheet watercolour sunflower
-sheet ink genie
+sheet ink horse
 sheet ink squiggle
 sheet rust waving
 sheet rust jump
