@@ -320,21 +320,27 @@ void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& w
   const PatchDistance distance(problem.exemplar, problem.target, weights);
   const UniformityScale uniformity(problem);
   const std::vector<Tile> tiles = occupiedTiles(problem.target);
+  if (tiles.empty()) return;
   Image<float> errors = patchDistances(problem, distance, nnf);
   OccurrenceMap occurrence = emptyOccurrence(problem);
-  std::vector<OccurrenceMap> ownChanges;  // one per thread, all zero between tiles
-  ownChanges.reserve(static_cast<std::size_t>(threadLimit()));
-  for (int t = 0; t < threadLimit(); ++t) ownChanges.push_back(emptyOccurrence(problem));
+  // One scratch map per thread that can have work, all zero between tiles.
+  const int workers = std::min(threadLimit(), static_cast<int>(tiles.size()));
+  std::vector<OccurrenceMap> ownChanges;
+  ownChanges.reserve(static_cast<std::size_t>(workers));
+  for (int t = 0; t < workers; ++t) ownChanges.push_back(emptyOccurrence(problem));
 
   for (int i = 0; i < iterations; ++i) {
     const NearestNeighborField before = nnf.clone();
     occurrence.rebuild(before);
-    parallelFor(static_cast<int>(tiles.size()), 1, [&](int t) {
-      TileSweep(problem, distance, uniformity, before, occurrence,
-                ownChanges[static_cast<std::size_t>(threadIndex())],
-                tiles[static_cast<std::size_t>(t)], nnf, errors)
-          .run(firstPass + i);
-    });
+    parallelFor(
+        static_cast<int>(tiles.size()), 1,
+        [&](int t) {
+          TileSweep(problem, distance, uniformity, before, occurrence,
+                    ownChanges[static_cast<std::size_t>(threadIndex())],
+                    tiles[static_cast<std::size_t>(t)], nnf, errors)
+              .run(firstPass + i);
+        },
+        workers);
   }
 }
 

@@ -8,13 +8,14 @@
 namespace fluidymation {
 
 /// Runs `body(i)` for i in [0, count) on all threads of the current OpenMP setting, `chunk`
-/// indices at a time. A body writes only what belongs to its own index, so that the result cannot
-/// depend on the number of threads. The first exception is carried out of the region.
+/// indices at a time, or on the first `workers` of them. A body writes only what belongs to its own
+/// index, so that the result cannot depend on the number of threads. The first exception is carried
+/// out of the region.
 template <typename Body>
-void parallelFor(int count, int chunk, const Body& body) {
+void parallelFor(int count, int chunk, const Body& body, int workers = omp_get_max_threads()) {
   std::exception_ptr failure;
   std::mutex failureMutex;
-#pragma omp parallel for schedule(dynamic, chunk) default(none) \
+#pragma omp parallel for schedule(dynamic, chunk) num_threads(workers) default(none) \
     shared(count, chunk, body, failure, failureMutex)
   for (int i = 0; i < count; ++i) {
     try {

@@ -19,8 +19,8 @@ class Synthesizer {
   ///   `coarsestLevel` of its size and the target's.
   Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options);
 
-  /// Paints the target's next frame; all frames have one size. An empty mask gives an empty picture, and
-  /// the frame after it starts afresh.
+  /// Paints the target's next frame; all frames have one size. An empty mask gives an empty
+  /// picture, and the frame after it starts afresh.
   /// @return  the picture in CIELAB, meaningful inside the mask only.
   [[nodiscard]] Image<Lab> paint(const GuideFrame& frame);
 
