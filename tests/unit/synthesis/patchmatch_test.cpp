@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 #include "support/synthetic_scene.h"
 
@@ -111,6 +112,44 @@ TEST_F(PatchMatchTest, ComesCloseToBruteForceOnASmallCase) {
   // Propagated matches have rotations and sub-pixel positions that the brute force does not try,
   // so that the search may even win.
   EXPECT_LT(foundSum, 1.1 * bruteSum);
+}
+
+TEST_F(PatchMatchTest, TheOppositeRotationIsTriedToo) {
+  // The exemplar's own frame as target, but said to flow the other way: only a match turned by half
+  // a turn against the aligned one reproduces it.
+  options_.lambda = 0.0F;
+  weights_ = {1.0F, 5.0F, 0.0F, 0.0F};  // no extents: they are exchanged for opposite directions
+  target_ = TargetLevel(finestLevel(sourceDisc_.guides(3)), kBorderWidthPx);
+  target_.picture = test::paintedDisc(sourceDisc_, 3, 20);
+  for (Vec2& direction : target_.direction) direction = -1.0F * direction;
+  NearestNeighborField nnf = randomField();
+  findNearestNeighbors(problem(), weights_, 12, 0, nnf);
+  const Image<float> errors = matchErrors(problem(), weights_, nnf);
+  int inside = 0;
+  int reproduced = 0;
+  for (int y = 0; y < errors.height(); ++y) {
+    for (int x = 0; x < errors.width(); ++x) {
+      if (!target_.inside(x, y)) continue;
+      ++inside;
+      reproduced += errors(x, y) < 0.1F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(reproduced, 0.7 * inside);
+}
+
+TEST_F(PatchMatchTest, TheUniformityTermIsLambdaTimesMeanUseOverExpectedUse) {
+  const NearestNeighborField nnf = randomField();
+  const Image<float> with = matchErrors(problem(), weights_, nnf);
+  const float lambda = options_.lambda;
+  options_.lambda = 0.0F;
+  const Image<float> without = matchErrors(problem(), weights_, nnf);
+  OccurrenceMap map(sourceDisc_.size, sourceDisc_.frameCount, options_.occRadiusFrames);
+  map.rebuild(nnf);
+  for (const auto& [x, y] : {std::pair{45, 40}, std::pair{30, 40}, std::pair{45, 68}}) {
+    const float meanUse = static_cast<float>(map.windowSum(nnf(x, y))) / kPatchArea;
+    const float expected = lambda * meanUse / expectedUse_.best(target_, target_.segment(x, y));
+    EXPECT_NEAR(with(x, y) - without(x, y), expected, 1e-3F * (expected + without(x, y)));
+  }
 }
 
 TEST_F(PatchMatchTest, UniformityLowersTheEnergyAndSpreadsTheUse) {
