@@ -37,7 +37,7 @@ constexpr Range kThresholds{0, 0.5, true};
 constexpr Range kWeights{0, 1e6};
 constexpr Range kOccurrenceRadii{0, 1e4};
 constexpr Range kAlphas{0, 1, true, true};
-constexpr Range kWidths{0, 1e4, true};
+constexpr Range kWidths{0.1, 1e4};  // squares of the edge guide stay finite
 constexpr Range kModulationBounds{0, 1e5};
 constexpr Range kPatchmatchIterations{1, 1000};
 constexpr Range kOptIterations{0, 1000};

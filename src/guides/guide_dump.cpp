@@ -6,6 +6,7 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/flow_file.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
@@ -75,19 +76,11 @@ Image<Rgba8> flowPicture(const Image<Vec2>& flow) {
   return picture;
 }
 
-/// At least five digits, as the inputs usually have.
-std::string numberText(int number) {
-  constexpr std::size_t kDigits = 5;
-  const std::string digits = std::to_string(std::abs(static_cast<long>(number)));
-  const std::string zeros(digits.size() < kDigits ? kDigits - digits.size() : 0, '0');
-  return (number < 0 ? "-" : "") + zeros + digits;
-}
-
 }  // namespace
 
 void dumpGuides(const std::string& folder, int frameNumber, const GuideFrame& guides) {
   createFolder(folder);
-  const std::string path = folder + "/" + numberText(frameNumber);
+  const std::string path = dumpStem(folder, frameNumber);
   const Image<float> extForward = lengths(guides.accForward);
   const Image<float> extBackward = lengths(guides.accBackward);
   writeGrayPng(path + ".mask.png", maskPicture(guides.mask));

@@ -1,5 +1,6 @@
 #include "fluidymation/guides/guide_stream.h"
 
+#include <algorithm>
 #include <cassert>
 #include <deque>
 #include <utility>
@@ -141,6 +142,12 @@ void GuideStream::computeFlow(int begin, int end, float sigmaFrames) {
     store(i, before, after, after);
     before = std::move(after);
   }
+}
+
+bool GuideStream::anyInside() const {
+  assert(nextFrame_ == 0);
+  return std::any_of(frames_.begin(), frames_.end(),
+                     [](const StoredFrame& frame) { return !frame.flow.empty(); });
 }
 
 GuideFrame GuideStream::next() {

@@ -6,6 +6,7 @@
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/frame_pattern.h"
 
 namespace fluidymation {
@@ -25,12 +26,9 @@ std::filesystem::path canonical(const std::string& path) {
   return resolved;
 }
 
-/// Whether a dump into `folder` can write `path`; its files are NNNNN.<channel>.<extension>.
+/// Whether a dump into `folder` can write `path`.
 bool isDumpFile(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  const std::size_t dot = name.find('.');
-  return path.parent_path() == folder && dot != name.rfind('.') &&
-         FramePattern("%05d").numberOf(name.substr(0, dot)).has_value();
+  return path.parent_path() == folder && isDumpName(path.filename().string());
 }
 
 /// @throws UsageError where the dump would replace a painted frame or anything that is read.

@@ -34,26 +34,27 @@ GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
       GuideOptions{maskOptions, timeBlurSigmaFrames});
 }
 
-Exemplar readExemplar(const Options& options, const Inputs& inputs) {
+/// @throws Error when no mask of the exemplar holds any material.
+void requireMaterial(const Options& options, const GuideStream& guides) {
+  if (guides.anyInside()) return;
+  throw Error("--src-mask-path " + options.sourceMaskPath + ": all " +
+              std::to_string(guides.frameCount()) +
+              " masks are empty after smoothing with --blur-sigma; wanted some material, so "
+              "check the masks or lower --blur-sigma");
+}
+
+/// Reads the exemplar's pictures and builds its pyramid; dumps its guides where that is wanted.
+Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
-  GuideStream guides = guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
-  bool anyInside = false;
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     const GuideFrame frame = guides.next();
-    anyInside = anyInside || countInside(frame.mask) > 0;
+    exemplar.setFrame(k, toLab(resize(readColor(inputs.color.files.paths[i]), size)), frame);
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "source"), inputs.color.files.numbers[i], frame);
     }
-    exemplar.setFrame(k, toLab(resize(readColor(inputs.color.files.paths[i]), size)), frame);
-  }
-  if (!anyInside) {
-    throw Error("--src-mask-path " + options.sourceMaskPath + ": all " +
-                std::to_string(exemplar.frameCount()) +
-                " masks are empty after smoothing with --blur-sigma; wanted some material, so "
-                "check the masks or lower --blur-sigma");
   }
   exemplar.finish();
   return exemplar;
@@ -84,11 +85,15 @@ void stylize(const Options& options, const Observer& observer) {
 
   const Inputs inputs = openInputs(options, observer);
   const std::vector<std::string> outPaths = prepareOutput(options, inputs);
-  const Exemplar exemplar = readExemplar(options, inputs);
 
+  // All masks are read before anything is written: a damaged one must not leave half a dump.
+  GuideStream sourceGuides =
+      guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
+  requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   GuideStream guides = guidesOf(inputs.target, targetMask, options.timeBlurSigmaFrames);
+  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
   for (int j = 0; j < guides.frameCount(); ++j) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "fluidymation/io/atomic_file.h"
-#include "fluidymation/io/frame_pattern.h"
+#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
 
@@ -40,7 +40,7 @@ void dumpNearestNeighborField(const std::string& folder, int frameNumber,
     }
   }
   createFolder(folder);
-  const std::string stem = folder + "/" + FramePattern("%05d").path(frameNumber);
+  const std::string stem = dumpStem(folder, frameNumber);
   writePfm(stem + ".nnf.pfm", coordinates);
   writePfm(stem + ".theta.pfm", angles);
   writePng(stem + ".nnf.png", picture);

@@ -134,7 +134,7 @@ class TileSweep {
     const float uniformityOfCandidate = uniformityTerm(candidate);
     if (uniformityOfCandidate >= bestTotal_) return;
     const float distance = distance_(window_, candidate, bestTotal_ - uniformityOfCandidate);
-    if (distance + uniformityOfCandidate >= bestTotal_) return;
+    if (!(distance + uniformityOfCandidate < bestTotal_)) return;  // nor a NaN
     best_ = candidate;
     bestDistance_ = distance;
     bestTotal_ = distance + uniformityOfCandidate;

@@ -177,7 +177,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
   const std::string wantedSigma = ": wanted a number in [0, 1000]";
   const std::string wantedWeight = ": wanted a number in [0, 1000000]";
   const std::string wantedAlpha = ": wanted a number in (0, 1)";
-  const std::string wantedWidth = ": wanted a number in (0, 10000]";
+  const std::string wantedWidth = ": wanted a number in [0.1, 10000]";
   const struct {
     const char* option;
     std::string value;
@@ -217,6 +217,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--patchmatch-alpha", "0", wantedAlpha},
       {"--patchmatch-alpha", "0.99999999999", wantedAlpha},
       {"--border-width", "0", wantedWidth},
+      {"--border-width", "1e-30", wantedWidth},
       {"--prev-modulation-bounds", "10", bounds},
       {"--prev-modulation-bounds", "10,2,1", bounds},
       {"--prev-modulation-bounds", "2,10", order},

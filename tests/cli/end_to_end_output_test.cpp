@@ -90,6 +90,41 @@ TEST(EndToEndOutput, NoLinkLeadsOntoAnInput) {
   expectRefusedUntouched(linked, "target/%05d.png", "target/00001.png");
 }
 
+TEST(EndToEndOutput, TheDumpNeverOverwritesAnInputWithANegativeNumber) {
+  const SmallScene scene;
+  for (const std::string number : {"-00001", "-00002", "-0001", "-0002"}) {
+    scene.write("dump/target/" + number + ".mask.png", scene.read("target/00001.png"));
+  }
+  const auto before = contentOf(scene);
+  const ToolOptions backwards = {
+      {"--target-start", "-1"}, {"--target-speed", "-1"}, {"--dump-guides", "dump"}};
+  // The dump of frame -1 is called -0001, so that only these masks are in its way
+  ToolOptions fiveDigits = backwards;
+  fiveDigits["--target-path"] = "dump/target/%05d.mask.png";
+  EXPECT_TRUE(failedNaming(2, "--dump-guides dump: ", {"-0001.mask.png is an input"},
+                           scene.paint(quietly(fiveDigits))));
+  EXPECT_EQ(contentOf(scene), before);
+  ToolOptions sixDigits = backwards;
+  sixDigits["--target-path"] = "dump/target/%06d.mask.png";
+  scene.remove("dump/target/-0001.mask.png");
+  scene.remove("dump/target/-0002.mask.png");
+  EXPECT_EQ(scene.paint(quietly(sixDigits)).exitCode, 0);
+  for (const std::string number : {"-00001", "-00002"}) {
+    const std::string name = "dump/target/" + number + ".mask.png";
+    EXPECT_EQ(scene.read(name), before.at(scene.file(name)));
+  }
+}
+
+TEST(EndToEndOutput, ARunThatCannotBePaintedLeavesNoDump) {
+  const SmallScene scene;
+  Bytes damaged = scene.read("target/00004.png");
+  damaged.resize(damaged.size() / 2);
+  scene.write("target/00004.png", damaged);
+  EXPECT_EQ(scene.paint(quietly({{"--dump-guides", "dump"}})).exitCode, 1);
+  EXPECT_TRUE(scene.names("dump/source").empty());
+  EXPECT_TRUE(scene.names("dump/target").empty());
+}
+
 TEST(EndToEndOutput, TheDumpNeverOverwritesAnInput) {
   const SmallScene scene;
   for (const std::string input : {"mask", "target"}) {

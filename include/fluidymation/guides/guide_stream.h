@@ -27,6 +27,9 @@ class GuideStream {
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
 
+  /// Whether any mask still has material after smoothing. Asked before the first `next()`.
+  [[nodiscard]] bool anyInside() const;
+
   /// Guides of the next frame; must not be called more than `frameCount()` times.
   [[nodiscard]] GuideFrame next();
 
