@@ -1,5 +1,6 @@
 #include "fluidymation/guides/distance_field.h"
 
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -62,6 +63,7 @@ class Envelope {
       if (count > 0) {
         // From here on the new parabola is the lower one
         const int c = centre_[count - 1];
+        assert(c < i);  // centres are listed in order
         begin = 1 + (i * i - c * c + height(i) * height(i) - height(c) * height(c)) / (2 * (i - c));
       }
       if (begin > high) continue;

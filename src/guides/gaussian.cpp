@@ -31,7 +31,8 @@ Image<float> gaussianBlur(const Image<float>& image, float sigmaPx) {
   // The offsets are the outer loop, so that the inner one runs over neighbouring pixels
   Image<float> narrow(image.size());
   forEachRow(image.height(), [&](int y) {
-    std::vector<float> padded(static_cast<std::size_t>(width + 2 * radius));
+    std::vector<float> padded(static_cast<std::size_t>(width) +
+                              2 * static_cast<std::size_t>(radius));
     for (int x = -radius; x < width + radius; ++x) {
       padded[static_cast<std::size_t>(x + radius)] = image.clamped(x, y);
     }

@@ -420,8 +420,9 @@ TEST(EndToEndFrames, NumbersBeyondTheRangeOfFileNumbersAreWrongUsage) {
 // The same bytes
 
 TEST(EndToEndFrames, ThreadsChangeNoByte) {
-  // More than one tile of the search, and more rows than are handed out at a time.
-  const SmallScene scene(2, {32, 28}, {90, 70});
+  // The finest level that is searched is 85x80: more than one tile of 64x64, and more rows than are
+  // handed out at a time.
+  const SmallScene scene(2, {44, 40}, {170, 160});
   const Painting one = scene.painting({{"--threads", "1"}});
   for (const char* threads : {"2", "5"}) {
     EXPECT_TRUE(scene.painting({{"--threads", threads}}) == one) << threads;
