@@ -44,41 +44,65 @@ bool hasEdge(const Mask& mask) {
   return inside != 0 && inside != mask.pixelCount();
 }
 
-/// Continuous, temporally smoothed distances of a run of frames that all have an edge, given in
-/// order. Only the fields that the kernel reaches exist at a time.
-class SmoothedDistances {
+/// What the shapes of a run of frames, all of which have an edge, say about their movement. Asked
+/// for in the order of the frames; only the distance fields that the temporal kernel reaches exist
+/// at a time.
+class ShapeChanges {
  public:
   using MaskOf = std::function<Mask(int frame)>;  ///< frames count from the beginning of the run
 
-  SmoothedDistances(int frameCount, float sigmaFrames, MaskOf maskOf)
+  ShapeChanges(int frameCount, float sigmaFrames, MaskOf maskOf)
       : frameCount_(frameCount), sigmaFrames_(sigmaFrames), maskOf_(std::move(maskOf)) {}
 
-  Image<float> next() {
-    const TemporalWeights window = temporalWeights(nextFrame_++, frameCount_, sigmaFrames_);
-    for (; firstField_ < window.firstFrame; ++firstField_) fields_.pop_front();
-    while (fields_.size() < window.weights.size()) {
+  /// The change that leads to `frame`; the first frame moves as it does towards the second. Valid
+  /// until the next call.
+  ShapeChange at(int frame) {
+    const TemporalWeights window = temporalWeights(frame, frameCount_, sigmaFrames_);
+    const TemporalWeights steps = stepWeights(std::max(frame, 1), frameCount_, sigmaFrames_);
+    provide(std::min(window.firstFrame, steps.firstFrame),
+            std::max(endOf(window), endOf(steps) + 1));
+    smooth_ = average(window);
+    ShapeChange change{field(frame), smooth_, {}, steps.weights};
+    for (int i = steps.firstFrame; i <= endOf(steps); ++i) change.fields.push_back(&field(i));
+    return change;
+  }
+
+ private:
+  static int endOf(const TemporalWeights& window) {
+    return window.firstFrame + static_cast<int>(window.weights.size());
+  }
+
+  [[nodiscard]] const Image<float>& field(int frame) const {
+    return fields_[static_cast<std::size_t>(frame - firstField_)];
+  }
+
+  void provide(int first, int end) {
+    for (; firstField_ < first; ++firstField_) fields_.pop_front();
+    while (firstField_ + static_cast<int>(fields_.size()) < end) {
       const int frame = firstField_ + static_cast<int>(fields_.size());
       fields_.push_back(motionDistance(signedDistance(maskOf_(frame))));
     }
+  }
+
+  [[nodiscard]] Image<float> average(const TemporalWeights& window) const {
     Image<float> smooth(fields_.front().size());
     forEachRow(smooth.height(), [&](int y) {
       float* out = smooth.row(y);
-      for (std::size_t i = 0; i < fields_.size(); ++i) {
+      for (std::size_t i = 0; i < window.weights.size(); ++i) {
         const float weight = window.weights[i];
-        const float* in = fields_[i].row(y);
+        const float* in = field(window.firstFrame + static_cast<int>(i)).row(y);
         for (int x = 0; x < smooth.width(); ++x) out[x] += weight * in[x];
       }
     });
     return smooth;
   }
 
- private:
   int frameCount_;
   float sigmaFrames_;
   MaskOf maskOf_;
-  int nextFrame_ = 0;
   int firstField_ = 0;
   std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
+  Image<float> smooth_;
 };
 
 }  // namespace
@@ -124,23 +148,14 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
 
 void GuideStream::computeFlow(int begin, int end, float sigmaFrames) {
   if (end - begin < 2) return;  // a single frame does not move
-  SmoothedDistances distances(end - begin, sigmaFrames,
-                              [&](int i) { return frames_[at(begin + i)].mask.unpack(); });
-  const auto store = [&](int i, const Image<float>& before, const Image<float>& after,
-                         const Image<float>& here) {
+  ShapeChanges changes(end - begin, sigmaFrames,
+                       [&](int i) { return frames_[at(begin + i)].mask.unpack(); });
+  for (int i = begin; i < end; ++i) {
     StoredFrame& frame = frames_[at(i)];
     const Mask mask = frame.mask.unpack();
-    const MotionField motion = motionField(mask, before, after, here);
+    const MotionField motion = motionField(mask, changes.at(i - begin));
     frame.flow = gather(mask, motion.flow);
     frame.diffusion = motion.report;
-  };
-  Image<float> before = distances.next();
-  for (int i = begin + 1; i < end; ++i) {
-    Image<float> after = distances.next();
-    // No frame before the first one: it moves on as it does towards the second
-    if (i == begin + 1) store(begin, before, after, before);
-    store(i, before, after, after);
-    before = std::move(after);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "fluidymation/guides/motion.h"
 
+#include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "components.h"
@@ -10,18 +12,28 @@
 namespace fluidymation {
 namespace {
 
-/// Largest distance of each connected part, at least 0: how far it may move in one frame.
-std::vector<float> thicknesses(const Components& parts, const Image<float>& distance) {
+/// Largest depth of each connected part, at least 0: how far it may move in one frame.
+std::vector<float> thicknesses(const Components& parts, const Image<float>& depth) {
   std::vector<float> largest(static_cast<std::size_t>(parts.count), 0.0F);
-  for (int y = 0; y < distance.height(); ++y) {
-    for (int x = 0; x < distance.width(); ++x) {
+  for (int y = 0; y < depth.height(); ++y) {
+    for (int x = 0; x < depth.width(); ++x) {
       const int part = parts.label(x, y);
       if (part < 0) continue;
       float& value = largest[static_cast<std::size_t>(part)];
-      value = std::max(value, distance(x, y));
+      value = std::max(value, depth(x, y));
     }
   }
   return largest;
+}
+
+/// The smoothed change of the distance at a pixel, px per frame.
+float advance(const ShapeChange& change, int x, int y, float limitPx) {
+  float sum = 0.0F;
+  for (std::size_t s = 0; s < change.stepWeights.size(); ++s) {
+    const float step = (*change.fields[s + 1])(x, y) - (*change.fields[s])(x, y);
+    sum += change.stepWeights[s] * std::clamp(step, -limitPx, limitPx);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -55,24 +67,23 @@ Image<float> motionDistance(const Image<float>& signedDistance) {
   return gaussianBlur(continuousDistance(signedDistance), kStaircaseSigmaPx);
 }
 
-MotionField motionField(const Mask& mask, const Image<float>& before, const Image<float>& after,
-                        const Image<float>& here) {
+MotionField motionField(const Mask& mask, const ShapeChange& change) {
+  assert(change.fields.size() == change.stepWeights.size() + 1);
   MotionField motion;
   motion.flow = Image<Vec2>(mask.size());
 
   // Movement along the normal at the border
   const Mask border = borderPixels(mask);
   const Components parts = findComponents(mask);
-  const std::vector<float> limits = thicknesses(parts, here);
+  const std::vector<float> limits = thicknesses(parts, change.depth);
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {
       if (border(x, y) == 0) continue;
-      const Vec2 gradient = gradientAt(here, x, y);
+      const Vec2 gradient = gradientAt(change.smooth, x, y);
       const float steepness = length(gradient);
       if (steepness < kFlatGradient) continue;
-      const float limit = limits[static_cast<std::size_t>(parts.label(x, y))];
-      const float advance = std::clamp(after(x, y) - before(x, y), -limit, limit);
-      motion.flow(x, y) = (-advance / steepness) * gradient;
+      const float limitPx = limits[static_cast<std::size_t>(parts.label(x, y))];
+      motion.flow(x, y) = (-advance(change, x, y, limitPx) / steepness) * gradient;
     }
   });
 

@@ -46,4 +46,27 @@ TemporalWeights temporalWeights(int frame, int frameCount, float sigmaFrames) {
   return result;
 }
 
+TemporalWeights stepWeights(int frame, int frameCount, float sigmaFrames) {
+  assert(frame >= 1);
+  const TemporalWeights before = temporalWeights(frame - 1, frameCount, sigmaFrames);
+  const TemporalWeights after = temporalWeights(frame, frameCount, sigmaFrames);
+  const int end = after.firstFrame + static_cast<int>(after.weights.size());
+  const auto weightIn = [](const TemporalWeights& window, int i) {
+    const int place = i - window.firstFrame;
+    const bool within = place >= 0 && place < static_cast<int>(window.weights.size());
+    return within ? static_cast<double>(window.weights[static_cast<std::size_t>(place)]) : 0.0;
+  };
+
+  // Summation by parts: a step counts for all values from its end on
+  TemporalWeights steps;
+  steps.firstFrame = before.firstFrame;
+  steps.weights.resize(static_cast<std::size_t>(end - 1 - before.firstFrame));
+  double weight = 0.0;
+  for (int i = end - 1; i > before.firstFrame; --i) {
+    weight += weightIn(after, i) - weightIn(before, i);
+    steps.weights[static_cast<std::size_t>(i - 1 - before.firstFrame)] = static_cast<float>(weight);
+  }
+  return steps;
+}
+
 }  // namespace fluidymation

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/diffusion.h"
 
@@ -29,18 +31,28 @@ struct MotionField {
   SolveReport report;
 };
 
+/// What the shapes of neighbouring frames say about one frame's movement. All fields are
+/// `motionDistance` of one size.
+struct ShapeChange {
+  const Image<float>& depth;   ///< of the frame itself
+  const Image<float>& smooth;  ///< of the frame itself, smoothed over time: its gradient is used
+  std::vector<const Image<float>*> fields;  ///< of consecutive frames, earliest first
+  std::vector<float> stepWeights;           ///< of the steps between them; one fewer
+};
+
 /// The movement that leads from one frame's shape to the next, defined on `mask` (thesis §3.8):
-/// at border pixels -(after - before) grad(here) / |grad(here)|, spread over the inside by
-/// `diffuse`. The documents drop the minus sign; with distances positive inside the gradient
-/// points inwards, and a growing mask has to flow outwards.
-/// @param mask    the frame on which the flow is defined.
-/// @param before  `motionDistance` (temporally smoothed) of the earlier frame.
-/// @param after   the same of the later frame.
-/// @param here    the same of the frame of `mask` (either of the two): its gradient is used.
-/// The speed at a border pixel is limited to the largest `here` of its connected component
-/// (8-neighbours): what appears at once, or flies in from elsewhere, does not move further than it
-/// is thick. Where the gradient vanishes (parts one or two pixels wide) the flow is zero.
-[[nodiscard]] MotionField motionField(const Mask& mask, const Image<float>& before,
-                                      const Image<float>& after, const Image<float>& here);
+/// at border pixels -(D^_i - D^_i-1) grad(D^_i) / |grad(D^_i)|, D^ smoothed over time, spread over
+/// the inside by `diffuse`. The documents drop the minus sign; with distances positive inside the
+/// gradient points inwards, and a growing mask has to flow outwards.
+///
+/// D^_i - D^_i-1 is a weighted mean of the steps of the single frames, and each of them is limited
+/// to the largest depth of the pixel's connected component (8-neighbours): what appears at once, or
+/// flies in from elsewhere, does not move further than it is thick. Limiting the mean instead
+/// leaves a choice of two errors: by the depth of D^, which vanishes where a part crosses its own
+/// width within the window, fast parts stand still; by the depth of the frame, what appears at
+/// once moves by its thickness in every frame of the window.
+/// Where the gradient vanishes (parts one or two pixels wide) the flow is zero.
+/// @param mask  the frame on which the flow is defined.
+[[nodiscard]] MotionField motionField(const Mask& mask, const ShapeChange& change);
 
 }  // namespace fluidymation

@@ -18,4 +18,9 @@ struct TemporalWeights {
 /// @param sigmaFrames  0 gives the frame itself.
 [[nodiscard]] TemporalWeights temporalWeights(int frame, int frameCount, float sigmaFrames);
 
+/// How the step from `frame` - 1 to `frame` of the smoothed sequence is made of steps of the
+/// sequence itself: smooth(frame) - smooth(frame - 1) = sum of weights[s] * (v(firstFrame + s + 1)
+/// - v(firstFrame + s)). The weights sum to 1. `frame` >= 1.
+[[nodiscard]] TemporalWeights stepWeights(int frame, int frameCount, float sigmaFrames);
+
 }  // namespace fluidymation

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "fluidymation/guides/gaussian.h"
@@ -56,6 +57,35 @@ TEST(TemporalWeights, AreMirroredWhenTimeIs) {
       EXPECT_EQ(there.firstFrame + static_cast<int>(there.weights.size()), count - back.firstFrame);
       for (std::size_t i = 0; i < there.weights.size(); ++i) {
         EXPECT_NEAR(there.weights[i], back.weights[there.weights.size() - 1 - i], 1e-6F);
+      }
+    }
+  }
+}
+
+TEST(StepWeights, AddUpToTheStepOfTheSmoothedSequence) {
+  for (const int frameCount : {2, 3, 7, 30}) {
+    for (const float sigma : {0.0F, 0.6F, 2.0F}) {
+      std::vector<double> values;
+      for (int i = 0; i < frameCount; ++i) values.push_back(std::sin(1.7 * i) + 0.1 * i * i);
+      const auto smooth = [&](int frame) {
+        const TemporalWeights window = temporalWeights(frame, frameCount, sigma);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < window.weights.size(); ++i) {
+          sum += window.weights[i] * values[static_cast<std::size_t>(window.firstFrame) + i];
+        }
+        return sum;
+      };
+      for (int frame = 1; frame < frameCount; ++frame) {
+        const TemporalWeights steps = stepWeights(frame, frameCount, sigma);
+        double sum = 0.0;
+        double total = 0.0;
+        for (std::size_t s = 0; s < steps.weights.size(); ++s) {
+          const std::size_t from = static_cast<std::size_t>(steps.firstFrame) + s;
+          sum += steps.weights[s] * (values[from + 1] - values[from]);
+          total += steps.weights[s];
+        }
+        EXPECT_NEAR(sum, smooth(frame) - smooth(frame - 1), 1e-4);
+        EXPECT_NEAR(total, 1.0, 1e-5);
       }
     }
   }
