@@ -244,7 +244,7 @@ SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field
   if (!(largest > 0.0F)) return {};
 
   Image<int> unknownAt;
-  GraphLevel finest = finestLevel(region, isBorder, unknownAt);
+  GraphLevel finest = finestGraph(region, isBorder, unknownAt);
   if (finest.count() == 0) return {};
   PreciseField right = borderSums(finest, isBorder, field);
   PreciseField solution(at(finest.count()));

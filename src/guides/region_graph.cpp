@@ -133,7 +133,7 @@ void listChildren(const GraphLevel& fine, GraphLevel& coarse) {
 
 }  // namespace
 
-GraphLevel finestLevel(const Mask& region, const Mask& isBorder, Image<int>& unknownAt) {
+GraphLevel finestGraph(const Mask& region, const Mask& isBorder, Image<int>& unknownAt) {
   GraphLevel level;
   const Mask solvable = solvablePixels(region, isBorder);
   unknownAt = Image<int>(region.size(), -1);

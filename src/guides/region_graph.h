@@ -35,7 +35,7 @@ struct GraphLevel {
 /// Finest level of `region` without its border pixels, and without parts that no border pixel
 /// touches.
 /// @param unknownAt  out: number of the unknown at each pixel, -1 where there is none.
-[[nodiscard]] GraphLevel finestLevel(const Mask& region, const Mask& isBorder,
+[[nodiscard]] GraphLevel finestGraph(const Mask& region, const Mask& isBorder,
                                      Image<int>& unknownAt);
 
 /// The next coarser level of `fine`, whose `parent` is filled in. `blockSide` is the side of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "fluidymation/core/parallel.h"
 
@@ -10,6 +11,7 @@ namespace fluidymation {
 ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx)
     : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx) {
   const std::size_t volume = offset(0, 0, frameCount);
+  assert(volume <= std::numeric_limits<std::uint32_t>::max());  // candidates are 32-bit indices
   pixels_.resize(volume);
   segments_.resize(volume, Segment::kOutside);
 }
@@ -51,8 +53,7 @@ ExemplarLevel::Position ExemplarLevel::position(std::uint32_t volumeIndex) const
           static_cast<int>(row / height)};
 }
 
-Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx)
-    : borderWidthPx_(borderWidthPx) {
+Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx) {
   for (int l = 0; l <= coarsest; ++l) {
     levels_.emplace_back(size, frameCount, borderWidthPx);
     size = halvedSize(size);

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "fluidymation/synthesis/sampling.h"
-#include "fluidymation/synthesis/temporal.h"
 
 namespace fluidymation {
 namespace {

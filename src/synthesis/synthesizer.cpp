@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
@@ -25,32 +26,6 @@ int valueAt(const std::vector<int>& list, int level, int coarsest) {
 
 bool hasAnyMatch(const NearestNeighborField& nnf) {
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
-}
-
-/// mergeNNF (§3.9): per pixel the match with the smaller error. Each field is measured against its
-/// own vote and with its own occurrence map; an illegal match loses.
-NearestNeighborField merge(const SearchProblem& problem, const DistanceWeights& weights,
-                           const NearestNeighborField& upscaled,
-                           const NearestNeighborField& downscaled, TargetLevel& target) {
-  target.picture = vote(problem.exemplar, target.segment, upscaled).color;
-  const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled);
-
-  // Where no window of the previous frame reaches, its picture is continued by the other one.
-  const VotedPicture remembered = vote(problem.exemplar, target.segment, downscaled);
-  forEachRow(target.size().height, [&](int y) {
-    for (int x = 0; x < target.size().width; ++x) {
-      if (remembered.exists(x, y) != 0) target.picture(x, y) = remembered.color(x, y);
-    }
-  });
-  const Image<float> downscaledErrors = matchErrors(problem, weights, downscaled);
-
-  NearestNeighborField merged = upscaled.clone();
-  forEachRow(merged.height(), [&](int y) {
-    for (int x = 0; x < merged.width(); ++x) {
-      if (downscaledErrors(x, y) < upscaledErrors(x, y)) merged(x, y) = downscaled(x, y);
-    }
-  });
-  return merged;
 }
 
 }  // namespace

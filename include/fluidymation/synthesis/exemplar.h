@@ -96,7 +96,6 @@ class Exemplar {
   }
   [[nodiscard]] int levelCount() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] int frameCount() const { return levels_.front().frameCount(); }
-  [[nodiscard]] float borderWidthPx() const { return borderWidthPx_; }
 
   /// acc+ and acc- of frame k at full resolution; §3.5.
   [[nodiscard]] const Image<Vec2>& accForward(int k) const {
@@ -107,7 +106,6 @@ class Exemplar {
   }
 
  private:
-  float borderWidthPx_;
   std::vector<ExemplarLevel> levels_;
   std::vector<Image<Vec2>> accForward_;
   std::vector<Image<Vec2>> accBackward_;

@@ -15,13 +15,6 @@ struct Lanes {
   [[nodiscard]] float operator[](int channel) const {
     return channel < 4 ? low[channel] : high[channel - 4];
   }
-  void set(int channel, float value) {
-    if (channel < 4) {
-      low[channel] = value;
-    } else {
-      high[channel - 4] = value;
-    }
-  }
 };
 
 }  // namespace fluidymation

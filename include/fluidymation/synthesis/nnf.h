@@ -26,6 +26,13 @@ struct Match {
   }
 };
 
+/// Whether source and target move roughly in opposite directions under a match (thesis §3.5). Unit
+/// directions are compared, so that material at rest keeps the answer of its last movement.
+[[nodiscard]] inline bool isOpposite(Vec2 targetDirection, Vec2 sourceDirection,
+                                     const Rotation& rotation) {
+  return dot(targetDirection, rotation.apply(sourceDirection)) < 0.0F;
+}
+
 /// One match per pixel of the target; pixels outside the mask have none.
 using NearestNeighborField = Image<Match>;
 

@@ -16,7 +16,8 @@ namespace fluidymation {
 /// search needs is Omega(window), the mean over the n x n positions of a window; the map holds
 /// that sum ready for every centre, so that a candidate costs one look-up. The box is not turned
 /// with the match: its corners matter less than its size. Positions outside the image count 0.
-/// Counts are integers, so that sums do not depend on their order.
+/// Counts are integers, so that sums do not depend on their order; 32 bits hold 2^31 / n^2 = 85
+/// million matches, and the levels searched of the largest target read have 30 million pixels.
 class OccurrenceMap {
  public:
   OccurrenceMap(Size size, int frameCount, int radiusFrames);

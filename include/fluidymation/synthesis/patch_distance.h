@@ -10,10 +10,10 @@ namespace fluidymation {
 
 /// Weights of the terms of the patch distance; thesis §3.7.
 struct DistanceWeights {
-  float color = 1.0F;  ///< 0 in the very first search, which knows no picture yet (§4.2)
-  float dist = 5.0F;
-  float flow = 0.1F;
-  float prev = 1.0F;
+  float color;  ///< 0 in the very first search, which knows no picture yet (§4.2), else 1
+  float dist;
+  float flow;
+  float prev;
 };
 
 /// The target's side of a patch comparison, gathered once per target pixel.

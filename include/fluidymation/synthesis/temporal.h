@@ -8,13 +8,6 @@
 
 namespace fluidymation {
 
-/// Whether source and target move roughly in opposite directions under a match (thesis §3.5). Unit
-/// directions are compared, so that material at rest keeps the answer of its last movement.
-[[nodiscard]] inline bool isOpposite(Vec2 targetDirection, Vec2 sourceDirection,
-                                     const Rotation& rotation) {
-  return dot(targetDirection, rotation.apply(sourceDirection)) < 0.0F;
-}
-
 /// shiftNNF (thesis §3.7): every match of the previous frame keeps its place and moves along the
 /// exemplar's time, to the frame whose accumulated motion differs from the match's by what the
 /// target moves in this step: forwards along acc+, or backwards along acc- where the directions are

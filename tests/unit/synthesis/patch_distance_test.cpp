@@ -105,7 +105,7 @@ class PatchDistanceTest : public ::testing::Test {
   test::GrowingDisc disc_{Size{48, 40}, {20.0F, 12.0F}, 16.0F, 1.0F, 8};  // cut by the image edge
   Exemplar exemplar_ = test::discExemplar(disc_, 0, kBorderWidthPx, 10);
   TargetLevel target_{finestLevel(disc_.guides(4)), kBorderWidthPx};
-  DistanceWeights weights_;
+  DistanceWeights weights_{1.0F, 5.0F, 0.1F, 1.0F};
 };
 
 TEST_F(PatchDistanceTest, EqualsASlowDoublePrecisionTwin) {

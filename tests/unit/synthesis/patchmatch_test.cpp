@@ -47,7 +47,7 @@ class PatchMatchTest : public ::testing::Test {
   ExpectedUse expectedUse_{exemplar_.level(0), 10};
   TargetLevel target_{finestLevel(targetDisc_.guides(1)), kBorderWidthPx};
   SynthesisOptions options_;
-  DistanceWeights weights_;
+  DistanceWeights weights_{1.0F, 5.0F, 0.1F, 1.0F};
 };
 
 TEST_F(PatchMatchTest, EveryMatchIsLegal) {
@@ -112,6 +112,23 @@ TEST_F(PatchMatchTest, ComesCloseToBruteForceOnASmallCase) {
   // Propagated matches have rotations and sub-pixel positions that the brute force does not try,
   // so that the search may even win.
   EXPECT_LT(foundSum, 1.1 * bruteSum);
+}
+
+TEST_F(PatchMatchTest, WithoutColourWeightThePictureDoesNotMatter) {
+  weights_ = {0.0F, 5.0F, 0.1F, 0.0F};
+  NearestNeighborField first = randomField();
+  findNearestNeighbors(problem(), weights_, 3, 0, first);
+  target_.picture = test::randomTexture(targetDisc_.size, 99);
+  NearestNeighborField second = randomField();
+  findNearestNeighbors(problem(), weights_, 3, 0, second);
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), first.pixelCount() * sizeof(Match)), 0);
+
+  // and the guides are followed: the guide terms alone have become much smaller
+  const auto guideTerms = [&](const NearestNeighborField& nnf) {
+    options_.lambda = 0.0F;
+    return energy(nnf);
+  };
+  EXPECT_LT(guideTerms(second), 0.2 * guideTerms(randomField()));
 }
 
 TEST_F(PatchMatchTest, TheOppositeRotationIsTriedToo) {
