@@ -33,9 +33,8 @@ Image<float> gaussianBlur(const Image<float>& image, float sigmaPx) {
   forEachRow(image.height(), [&](int y) {
     std::vector<float> padded(static_cast<std::size_t>(width) +
                               2 * static_cast<std::size_t>(radius));
-    for (int x = -radius; x < width + radius; ++x) {
-      padded[static_cast<std::size_t>(x + radius)] = image.clamped(x, y);
-    }
+    int from = -radius;
+    for (float& value : padded) value = image.clamped(from++, y);
     const float* centre = padded.data() + radius;
     float* out = narrow.row(y);
     for (int x = 0; x < width; ++x) out[x] = kernel[0] * centre[x];
