@@ -264,7 +264,7 @@ Size readPngSize(const std::string& path) {
   return header.size;
 }
 
-Image<Rgba> readPng(const std::string& path) {
+Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
   const OpenFile input = openPng(path);
   const Header header = readHeader(input.file.get(), path);
   checkPlausible(header, input.byteCount, path);
@@ -274,12 +274,22 @@ Image<Rgba> readPng(const std::string& path) {
   auto* const png = reader.png();
   auto* const info = reader.info();
   RowLayout layout;
+  Size found;
   reader.run([&] {
     setLimits(png);
     png_read_info(png, info);
+    found = {static_cast<int>(png_get_image_width(png, info)),
+             static_cast<int>(png_get_image_height(png, info))};
     layout.gamma = declaredGamma(png, info);
     expandToRgba(png, info, layout);
   });
+  // libpng reads the header once more, and somebody may write to the file meanwhile. The rows below
+  // have libpng's length, so nothing else than the size that was checked may pass.
+  for (const Size size : {header.size, expected.value_or(header.size)}) {
+    if (found == size) continue;
+    throw Error(path + ": changed while being read (" + dimensions(size.width, size.height) +
+                " pixels at first, then " + dimensions(found.width, found.height) + ")");
+  }
 
   // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
   const bool keepRows = layout.passes > 1;
@@ -303,8 +313,8 @@ Image<Rgba> readPng(const std::string& path) {
   return image;
 }
 
-Image<Rgb> readColor(const std::string& path) {
-  const Image<Rgba> image = readPng(path);
+Image<Rgb> readColor(const std::string& path, std::optional<Size> expected) {
+  const Image<Rgba> image = readPng(path, expected);
   Image<Rgb> color(image.size());
   std::transform(image.begin(), image.end(), color.begin(), [](const Rgba& p) {
     return Rgb{p.r, p.g, p.b};
@@ -312,8 +322,8 @@ Image<Rgb> readColor(const std::string& path) {
   return color;
 }
 
-Image<float> readCoverage(const std::string& path) {
-  const Image<Rgba> image = readPng(path);
+Image<float> readCoverage(const std::string& path, std::optional<Size> expected) {
+  const Image<Rgba> image = readPng(path, expected);
   const bool opaque =
       std::all_of(image.begin(), image.end(), [](const Rgba& p) { return p.a == 1.0F; });
   const auto luminance = [](const Rgba& p) {

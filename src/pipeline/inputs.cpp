@@ -23,7 +23,8 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   InputSequence input;
   input.files = findFrames(FramePattern(path), sequence, optionName);
   if (!input.files.note.empty() && observer.note) observer.note(input.files.note);
-  input.scaled = scaledSize(commonSize(input.files), sequence.scale);
+  input.stored = commonSize(input.files);
+  input.scaled = scaledSize(input.stored, sequence.scale);
   if (input.scaled.width > kMaxImageSidePx || input.scaled.height > kMaxImageSidePx ||
       static_cast<std::int64_t>(input.scaled.width) * input.scaled.height > kMaxImagePixels) {
     throw UsageError(optionName + ": frames scaled to " + text(input.scaled) + "; wanted at most " +
@@ -59,12 +60,18 @@ Inputs openInputs(const Options& options, const Observer& observer) {
   return inputs;
 }
 
-Mask readMask(const std::string& path, Size size) {
-  const Image<float> coverage = resize(readCoverage(path), size);
-  Mask mask(size);
+Mask readMask(const InputSequence& masks, int frame) {
+  const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
+  const Image<float> coverage = resize(readCoverage(path, masks.stored), masks.scaled);
+  Mask mask(masks.scaled);
   std::transform(coverage.begin(), coverage.end(), mask.begin(),
                  [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
   return mask;
+}
+
+Image<Rgb> readPicture(const InputSequence& pictures, int frame) {
+  const std::string& path = pictures.files.paths[static_cast<std::size_t>(frame)];
+  return resize(readColor(path, pictures.stored), pictures.scaled);
 }
 
 }  // namespace fluidymation

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/io/frame_sequence.h"
@@ -14,9 +15,10 @@ namespace fluidymation {
 /// The exemplar is held whole, at about 80 bytes a pixel and frame with its guides and levels.
 inline constexpr std::int64_t kMaxExemplarPixels = 250'000'000;
 
-/// A sequence as found on disk and the size its frames are scaled to.
+/// A sequence as found on disk, the size of its frames and the one they are scaled to.
 struct InputSequence {
   FrameFiles files;
+  Size stored;
   Size scaled;
 };
 
@@ -31,7 +33,11 @@ struct Inputs {
 /// @throws Error, UsageError naming file or option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
 
-/// Reads a mask image, scales it as gray and cuts it at one half.
-[[nodiscard]] Mask readMask(const std::string& path, Size size);
+/// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
+/// @throws Error naming the file, also when its size is no longer the one found at first.
+[[nodiscard]] Mask readMask(const InputSequence& masks, int frame);
+
+/// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
+[[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);
 
 }  // namespace fluidymation

@@ -10,7 +10,6 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
-#include "fluidymation/core/resize.h"
 #include "fluidymation/guides/guide_dump.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/png.h"
@@ -27,10 +26,7 @@ namespace {
 GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
                      float timeBlurSigmaFrames) {
   return GuideStream(
-      masks.files.count(),
-      [&masks](int frame) {
-        return readMask(masks.files.paths[static_cast<std::size_t>(frame)], masks.scaled);
-      },
+      masks.files.count(), [&masks](int frame) { return readMask(masks, frame); },
       GuideOptions{maskOptions, timeBlurSigmaFrames});
 }
 
@@ -49,11 +45,11 @@ Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream&
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
     const GuideFrame frame = guides.next();
-    exemplar.setFrame(k, toLab(resize(readColor(inputs.color.files.paths[i]), size)), frame);
+    exemplar.setFrame(k, toLab(readPicture(inputs.color, k)), frame);
     if (options.dumpGuidesDirectory) {
-      dumpGuides(dumpFolder(options, "source"), inputs.color.files.numbers[i], frame);
+      const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
+      dumpGuides(dumpFolder(options, "source"), number, frame);
     }
   }
   exemplar.finish();
