@@ -1,5 +1,7 @@
 #include "fluidymation/pipeline.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,6 +24,20 @@
 
 namespace fluidymation {
 namespace {
+
+/// OpenMP's thread count while a run lasts; the caller's own afterwards.
+class ThreadCount {
+ public:
+  explicit ThreadCount(int threads) : before_(omp_get_max_threads()) {
+    omp_set_num_threads(threads);
+  }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+  ~ThreadCount() { omp_set_num_threads(before_); }
+
+ private:
+  int before_;
+};
 
 GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
                      float timeBlurSigmaFrames) {
@@ -77,7 +93,7 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
 
 void stylize(const Options& options, const Observer& observer) {
   using Clock = std::chrono::steady_clock;
-  omp_set_num_threads(options.threads);
+  const ThreadCount threads(options.threads);
 
   const Inputs inputs = openInputs(options, observer);
   const std::vector<std::string> outPaths = prepareOutput(options, inputs);
