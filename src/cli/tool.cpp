@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "cli/command_line.h"
@@ -14,6 +15,13 @@ namespace {
 
 void printError(const Streams& streams, const std::string& message) {
   streams.err << "fluidymation: error: " + oneLine(message) + "\n" << std::flush;
+}
+
+/// Written as it is: there may be no memory left to build a message in.
+void printOutOfMemory(const Streams& streams) {
+  streams.err << "fluidymation: error: out of memory; smaller frames (--src-scale, "
+                 "--target-scale) or fewer (--src-frames) need less\n"
+              << std::flush;
 }
 
 void paint(const CommandLine& line, const Streams& streams, const Engine& engine) {
@@ -56,9 +64,9 @@ ExitCode runTool(int argc, const char* const* argv, const Streams& streams,
   } catch (const Error& error) {
     printError(streams, error.what());
   } catch (const std::bad_alloc&) {
-    streams.err << "fluidymation: error: out of memory; smaller frames (--src-scale, "
-                   "--target-scale) or fewer (--src-frames) need less\n"
-                << std::flush;
+    printOutOfMemory(streams);
+  } catch (const std::length_error&) {  // a vector of more than any memory could hold
+    printOutOfMemory(streams);
   } catch (const std::exception& error) {
     printError(streams, std::string("internal error: ") + error.what());
   }

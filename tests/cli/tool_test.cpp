@@ -71,9 +71,12 @@ TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
 
 TEST(Tool, ExitCodesTellWrongUsageFromFailure) {
   EXPECT_EQ(run({"--quiet"}, failing(UsageError("wrong"))).code, kWrongUsage);
-  const Outcome memory = run({"--quiet"}, failing(std::bad_alloc()));
-  EXPECT_EQ(memory.code, kFailed);
-  EXPECT_EQ(memory.err.find("fluidymation: error: out of memory; "), 0U);
+  for (const Engine& engine : {failing(std::bad_alloc()), failing(std::bad_array_new_length()),
+                               failing(std::length_error("vector::_M_default_append"))}) {
+    const Outcome memory = run({"--quiet"}, engine);
+    EXPECT_EQ(memory.code, kFailed);
+    EXPECT_EQ(memory.err.find("fluidymation: error: out of memory; "), 0U);
+  }
   const Outcome internal = run({"--quiet"}, failing(std::out_of_range("at")));
   EXPECT_EQ(internal.code, kFailed);
   EXPECT_EQ(internal.err, "fluidymation: error: internal error: at\n");
