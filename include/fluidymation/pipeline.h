@@ -23,8 +23,9 @@ struct Observer {
   std::function<void(const FrameReport&)> frameDone;
 };
 
-/// Checks every input, then paints every target frame and writes it, on `options.threads` threads.
-/// @throws Error; prints nothing.
+/// Validates the options and checks every input, then paints every target frame and writes it, on
+/// `options.threads` threads. Leaves OpenMP's setting as it was.
+/// @throws Error, UsageError for options that `validate` refuses; prints nothing.
 void stylize(const Options& options, const Observer& observer);
 
 }  // namespace fluidymation

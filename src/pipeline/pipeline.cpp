@@ -15,6 +15,7 @@
 #include "fluidymation/guides/guide_dump.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/png.h"
+#include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf_dump.h"
 #include "fluidymation/synthesis/pyramid.h"
@@ -93,6 +94,7 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
 
 void stylize(const Options& options, const Observer& observer) {
   using Clock = std::chrono::steady_clock;
+  validate(options);
   const ThreadCount threads(options.threads);
 
   const Inputs inputs = openInputs(options, observer);
