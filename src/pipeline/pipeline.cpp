@@ -98,15 +98,17 @@ void stylize(const Options& options, const Observer& observer) {
   const ThreadCount threads(options.threads);
 
   const Inputs inputs = openInputs(options, observer);
-  const std::vector<std::string> outPaths = prepareOutput(options, inputs);
+  const std::vector<std::string> outPaths = checkOutput(options, inputs);
 
-  // All masks are read before anything is written: a damaged one must not leave half a dump.
+  // All masks are read before anything is written: a damaged one must leave neither half a dump nor
+  // an empty folder.
   GuideStream sourceGuides =
       guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   GuideStream guides = guidesOf(inputs.target, targetMask, options.timeBlurSigmaFrames);
+  createOutputFolders(options, outPaths);
   const Exemplar exemplar = readExemplar(options, inputs, sourceGuides);
   Synthesizer synthesizer(exemplar, options.synthesis);
 

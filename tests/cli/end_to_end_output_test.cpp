@@ -90,6 +90,101 @@ TEST(EndToEndOutput, NoLinkLeadsOntoAnInput) {
   expectRefusedUntouched(linked, "target/%05d.png", "target/00001.png");
 }
 
+TEST(EndToEndOutput, FramesOfAnInputThatAreNotUsedAreSafeToo) {
+  const SmallScene scene(6);
+  const ToolOptions firstTwo = {
+      {"--src-frames", "2"}, {"--target-start", "5"}, {"--target-frames", "2"}};
+  const auto before = contentOf(scene);
+  for (const std::string folder : {"src", "mask", "target"}) {
+    // Frames 5 and 6 of the exemplar exist, but nobody reads them; 9 does not even exist.
+    ToolOptions options = firstTwo;
+    options["--out-path"] = folder + "/%05d.png";
+    EXPECT_TRUE(failedWith(2,
+                           "--out-path " + folder + "/%05d.png: " + folder +
+                               "/00005.png is an input and would be overwritten; choose another "
+                               "--out-path",
+                           scene.paint(quietly(options))));
+    options["--out-path"] = folder + "/0001%d.png";
+    EXPECT_TRUE(failedNaming(2, "--out-path " + folder, {folder + "/00015.png is an input"},
+                             scene.paint(quietly(options))));
+    // Not what the pattern means: five digits.
+    options["--out-path"] = folder + "/%06d.png";
+    EXPECT_EQ(scene.paint(quietly(options)).exitCode, 0);
+    scene.remove(folder + "/000005.png");
+    scene.remove(folder + "/000006.png");
+  }
+  EXPECT_TRUE(contentOf(scene) == before);
+}
+
+TEST(EndToEndOutput, NoHardLinkLeadsOntoAnInput) {
+  const SmallScene scene(6);
+  fs::create_directories(scene.file("out"));
+  fs::create_hard_link(scene.file("mask/00006.png"), scene.file("out/00002.png"));
+  ToolOptions options = {{"--src-frames", "3"}, {"--target-frames", "3"}};
+  const auto before = contentOf(scene);
+  EXPECT_TRUE(failedWith(2,
+                         "--out-path out/%05d.png: out/00002.png is an input and would be "
+                         "overwritten; choose another --out-path",
+                         scene.paint(quietly(options))));
+  EXPECT_TRUE(contentOf(scene) == before);
+  // Neither by the dump, by whatever link.
+  scene.remove("out");
+  options["--dump-guides"] = "dump";
+  fs::create_directories(scene.file("dump/target"));
+  const std::string dumped = "dump/target/00003.flow.png";
+  for (const bool hard : {true, false}) {
+    if (hard) {
+      fs::create_hard_link(scene.file("src/00005.png"), scene.file(dumped));
+    } else {
+      fs::create_symlink("../../src/00001.png", scene.file(dumped));
+    }
+    EXPECT_TRUE(failedWith(2,
+                           "--dump-guides dump: " + dumped +
+                               " is an input and would be overwritten; choose another folder",
+                           scene.paint(quietly(options))));
+    scene.remove(dumped);
+  }
+  EXPECT_EQ(scene.names("out"), kNothing);
+}
+
+TEST(EndToEndOutput, TheDumpLeavesNamesOfAnInputPatternAlone) {
+  const SmallScene scene;
+  // Frame 1 of the target pattern is not there; the dump of the exemplar's frame 1 would become it.
+  for (const int number : {2, 3, 4}) {
+    scene.write("dump/source/0000" + std::to_string(number) + ".mask.png",
+                scene.read(SmallScene::frame("target", number)));
+  }
+  const ToolOptions options = {{"--target-path", "dump/source/%05d.mask.png"},
+                               {"--target-start", "2"},
+                               {"--src-frames", "1"},
+                               {"--dump-guides", "dump"}};
+  const auto before = contentOf(scene);
+  EXPECT_TRUE(failedNaming(2, "--dump-guides dump: ", {"/00001.mask.png is an input"},
+                           scene.paint(quietly(options))));
+  EXPECT_TRUE(contentOf(scene) == before);
+}
+
+TEST(EndToEndOutput, WrongUsageAndDamagedMasksLeaveNoFolder) {
+  const SmallScene scene;
+  const auto before = contentOf(scene);
+  const std::vector<ToolOptions> wrong = {
+      {{"--out-path", "target/%05d.png"}, {"--dump-guides", "dump"}},
+      {{"--out-path", "out/deep/%05d.png"}, {"--dump-guides", "."}, {"--src-scale", "0"}},
+      {{"--out-path", "dump/target/%05d.nnf.png"}, {"--dump-guides", "dump"}},
+      {{"--out-path", "out/%05d.png"}, {"--src-start", "2000000000"}},
+  };
+  for (const ToolOptions& options : wrong) {
+    EXPECT_EQ(scene.paint(quietly(options)).exitCode, 2);
+    EXPECT_TRUE(contentOf(scene) == before);
+  }
+  Bytes damaged = scene.read("target/00004.png");
+  damaged.resize(damaged.size() / 2);
+  scene.write("target/00004.png", damaged);
+  const auto withDamage = contentOf(scene);
+  EXPECT_EQ(scene.paint(quietly({{"--dump-guides", "dump"}})).exitCode, 1);
+  EXPECT_TRUE(contentOf(scene) == withDamage);
+}
+
 TEST(EndToEndOutput, TheDumpNeverOverwritesAnInputWithANegativeNumber) {
   const SmallScene scene;
   for (const std::string number : {"-00001", "-00002", "-0001", "-0002"}) {

@@ -19,6 +19,11 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
 /// before any work is done. @throws Error naming `path` and the reason.
 void checkReplaceable(const std::string& path);
 
+/// Makes sure, as far as that can be told without trying, that `folder` can be created and written:
+/// that the nearest folder on the way that exists is one, and may be written by this user.
+/// @throws Error naming the folder and the reason, as the two functions below would.
+void checkFolderCreatable(const std::string& folder);
+
 /// Creates `folder` and its parents where missing. @throws Error naming the folder.
 void createFolder(const std::string& folder);
 

@@ -146,6 +146,18 @@ TEST(CreateFolder, CreatesParentsAndAcceptsWhatExists) {
   }
 }
 
+TEST(CheckFolderCreatable, SaysTheSameAsCreatingWouldAndCreatesNothing) {
+  const TemporaryFolder folder;
+  writeText(folder.file("plain"), "x");
+  for (const char* name : {"", "a", "a/b/", "a/../b"}) checkFolderCreatable(folder.file(name));
+  EXPECT_EQ(messageOf<Error>([&] { checkFolderCreatable(folder.file("plain")); }),
+            folder.file("plain") + ": the folder cannot be created (it exists and is no folder)");
+  EXPECT_EQ(messageOf<Error>([&] { checkFolderCreatable(folder.file("plain/a")); }),
+            folder.file("plain/a") + ": the folder cannot be created (Not a directory)");
+  checkFolderCreatable("relative");
+  EXPECT_EQ(folder.names(), Names{"plain"});
+}
+
 TEST(CreateFolder, NamesTheFolderThatCannotBe) {
   const TemporaryFolder folder;
   writeText(folder.file("plain"), "x");
