@@ -34,6 +34,19 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   return input;
 }
 
+/// @throws UsageError when the run needs more than `kMaxRunBytes`.
+void requireMemory(const Options& options, const Inputs& inputs) {
+  const RunSize run = sizeOfRun(options, inputs);
+  const std::int64_t bytes = bytesOfRun(run);
+  if (bytes <= kMaxRunBytes) return;
+  throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
+                   ": " + std::to_string(run.exemplarFrames) + " frames of " + text(run.exemplar) +
+                   " and " + std::to_string(run.targetFrames) + " of " + text(run.target) +
+                   " need about " + gibibytes(bytes) + " of memory; wanted at most " +
+                   gibibytes(kMaxRunBytes) +
+                   " (--src-frames, --src-scale, --target-scale, --threads)");
+}
+
 }  // namespace
 
 Inputs openInputs(const Options& options, const Observer& observer) {
@@ -51,13 +64,13 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                 std::to_string(color.count()) + "; an exemplar and its masks must agree");
   }
   requireMasksOfSameSize(color, mask);
-  const Size size = inputs.color.scaled;
-  if (std::int64_t{size.width} * size.height * color.count() > kMaxExemplarPixels) {
-    throw UsageError("--src-path " + options.source.path + ": " + std::to_string(color.count()) +
-                     " frames of " + text(size) + "; wanted at most " +
-                     std::to_string(kMaxExemplarPixels) + " px in all (--src-frames, --src-scale)");
-  }
+  requireMemory(options, inputs);
   return inputs;
+}
+
+RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
+  return {inputs.color.scaled, inputs.color.files.count(), inputs.target.scaled,
+          inputs.target.files.count(), options.threads};
 }
 
 Mask readMask(const InputSequence& masks, int frame) {

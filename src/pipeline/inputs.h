@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "fluidymation/core/color.h"
@@ -9,11 +8,9 @@
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/options.h"
 #include "fluidymation/pipeline.h"
+#include "pipeline/memory.h"
 
 namespace fluidymation {
-
-/// The exemplar is held whole, at about 80 bytes a pixel and frame with its guides and levels.
-inline constexpr std::int64_t kMaxExemplarPixels = 250'000'000;
 
 /// A sequence as found on disk, the size of its frames and the one they are scaled to.
 struct InputSequence {
@@ -29,9 +26,11 @@ struct Inputs {
   InputSequence target;
 };
 
-/// Finds all files, reads all headers, and checks that they fit together and the limits.
+/// Finds all files, reads all headers, and checks that they fit together and into memory.
 /// @throws Error, UsageError naming file or option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
+
+[[nodiscard]] RunSize sizeOfRun(const Options& options, const Inputs& inputs);
 
 /// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
 /// @throws Error naming the file, also when its size is no longer the one found at first.

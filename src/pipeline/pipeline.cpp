@@ -21,6 +21,7 @@
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/inputs.h"
+#include "pipeline/memory.h"
 #include "pipeline/outputs.h"
 
 namespace fluidymation {
@@ -40,11 +41,20 @@ class ThreadCount {
   int before_;
 };
 
-GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
-                     float timeBlurSigmaFrames) {
-  return GuideStream(
-      masks.files.count(), [&masks](int frame) { return readMask(masks, frame); },
-      GuideOptions{maskOptions, timeBlurSigmaFrames});
+/// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
+/// @param otherBytes  what the run needs besides.
+/// @return  throws UsageError once the sum is above `kMaxRunBytes`.
+MaskReader countingReader(const InputSequence& masks, const std::string& path,
+                          std::int64_t otherBytes) {
+  return [&masks, path, bytes = otherBytes](int frame) mutable {
+    Mask mask = readMask(masks, frame);
+    bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
+    if (bytes <= kMaxRunBytes) return mask;
+    throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
+                     std::to_string(masks.files.count()) + " frames need about " +
+                     gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
+                     " (--target-frames, --target-scale)");
+  };
 }
 
 /// @throws Error when no mask of the exemplar holds any material.
@@ -102,12 +112,17 @@ void stylize(const Options& options, const Observer& observer) {
 
   // All masks are read before anything is written: a damaged one must leave neither half a dump nor
   // an empty folder.
-  GuideStream sourceGuides =
-      guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
+  GuideStream sourceGuides(
+      inputs.sourceMask.files.count(),
+      [&](int frame) { return readMask(inputs.sourceMask, frame); },
+      GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
-  GuideStream guides = guidesOf(inputs.target, targetMask, options.timeBlurSigmaFrames);
+  const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
+  GuideStream guides(inputs.target.files.count(),
+                     countingReader(inputs.target, options.target.path, otherBytes),
+                     GuideOptions{targetMask, options.timeBlurSigmaFrames});
   createOutputFolders(options, outPaths);
   const Exemplar exemplar = readExemplar(options, inputs, sourceGuides);
   Synthesizer synthesizer(exemplar, options.synthesis);
