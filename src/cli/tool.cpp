@@ -24,13 +24,15 @@ void printOutOfMemory(const Streams& streams) {
               << std::flush;
 }
 
-void paint(const CommandLine& line, const Streams& streams, const Engine& engine) {
+void paint(const CommandLine& line, const Streams& streams, const Engine& engine,
+           const StopSignal& stopSignal) {
   Progress::Style style =
       streams.errIsTerminal ? Progress::Style::kTerminal : Progress::Style::kPlain;
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
   const Observer observer{[&](const std::string& text) { progress.note(text); },
-                          [&](const FrameReport& report) { progress.frameDone(report); }};
+                          [&](const FrameReport& report) { progress.frameDone(report); },
+                          [&] { return stopSignal && stopSignal() != 0; }};
   try {
     engine(line.options, observer);
   } catch (...) {
@@ -41,10 +43,10 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 }
 
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,
-                                     const Engine& engine) {
+                                     const Engine& engine, const StopSignal& stopSignal) {
   const CommandLine line = parseCommandLine(argc, argv);
   if (!line.information) {
-    paint(line, streams, engine);
+    paint(line, streams, engine, stopSignal);
     return kDone;
   }
   streams.out << *line.information << std::flush;
@@ -54,10 +56,13 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 
 }  // namespace
 
-ExitCode runTool(int argc, const char* const* argv, const Streams& streams,
-                 const Engine& engine) noexcept {
+int runTool(int argc, const char* const* argv, const Streams& streams, const Engine& engine,
+            const StopSignal& stopSignal) noexcept {
   try {
-    return parseAndPaint(argc, argv, streams, engine);
+    return parseAndPaint(argc, argv, streams, engine, stopSignal);
+  } catch (const Interrupted& stop) {
+    streams.err << "fluidymation: " + oneLine(stop.what()) + "\n" << std::flush;
+    return kStoppedBySignal + (stopSignal ? stopSignal() : 0);
   } catch (const UsageError& error) {
     printError(streams, error.what());
     return kWrongUsage;

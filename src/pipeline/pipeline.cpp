@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,13 @@ class ThreadCount {
   int before_;
 };
 
+/// @throws Interrupted when the caller wants no more.
+void stopIfCancelled(const Observer& observer, int written, int count) {
+  if (!observer.cancelled || !observer.cancelled()) return;
+  throw Interrupted("interrupted; " + std::to_string(written) + " of " + std::to_string(count) +
+                    " frames written");
+}
+
 /// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
 /// @param otherBytes  what the run needs besides.
 /// @return  throws UsageError once the sum is above `kMaxRunBytes`.
@@ -67,11 +75,14 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
 }
 
 /// Reads the exemplar's pictures and builds its pyramid; dumps its guides where that is wanted.
-Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides) {
+/// @param beforeFrame  called before every frame; may throw.
+Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides,
+                      const std::function<void()>& beforeFrame) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
+    beforeFrame();
     const GuideFrame frame = guides.next();
     exemplar.setFrame(k, toLab(readPicture(inputs.color, k)), frame);
     if (options.dumpGuidesDirectory) {
@@ -109,25 +120,36 @@ void stylize(const Options& options, const Observer& observer) {
 
   const Inputs inputs = openInputs(options, observer);
   const std::vector<std::string> outPaths = checkOutput(options, inputs);
+  const int frameCount = inputs.target.files.count();
+  const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
 
   // All masks are read before anything is written: a damaged one must leave neither half a dump nor
   // an empty folder.
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
-      [&](int frame) { return readMask(inputs.sourceMask, frame); },
+      [&](int frame) {
+        stopBeforeTheFirst();
+        return readMask(inputs.sourceMask, frame);
+      },
       GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
-  GuideStream guides(inputs.target.files.count(),
-                     countingReader(inputs.target, options.target.path, otherBytes),
-                     GuideOptions{targetMask, options.timeBlurSigmaFrames});
+  const MaskReader readTarget = countingReader(inputs.target, options.target.path, otherBytes);
+  GuideStream guides(
+      frameCount,
+      [&](int frame) {
+        stopBeforeTheFirst();
+        return readTarget(frame);
+      },
+      GuideOptions{targetMask, options.timeBlurSigmaFrames});
   createOutputFolders(options, outPaths);
-  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides);
+  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, stopBeforeTheFirst);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
-  for (int j = 0; j < guides.frameCount(); ++j) {
+  for (int j = 0; j < frameCount; ++j) {
+    stopIfCancelled(observer, j, frameCount);
     const auto i = static_cast<std::size_t>(j);
     const Clock::time_point start = Clock::now();
     const GuideFrame frame = guides.next();
@@ -141,7 +163,7 @@ void stylize(const Options& options, const Observer& observer) {
     }
     if (observer.frameDone) {
       const std::chrono::duration<double> spent = Clock::now() - start;
-      observer.frameDone({j, guides.frameCount(), number, spent.count(), outPaths[i]});
+      observer.frameDone({j, frameCount, number, spent.count(), outPaths[i]});
     }
   }
 }

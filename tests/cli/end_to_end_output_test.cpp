@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 
@@ -365,6 +366,33 @@ TEST(EndToEndOutput, AFullDiskEndsTheDumpWithoutHalfFiles) {
   for (const std::string& name : scene.names("dump/source")) {
     EXPECT_NE(name[0], '.') << name;
     EXPECT_FALSE(scene.read("dump/source/" + name).empty()) << name;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Signals
+
+TEST(EndToEndOutput, AStopSignalEndsTheRunBetweenFrames) {
+  constexpr int kFrames = 12;
+  const SmallScene scene(kFrames);
+  const ToolOptions slow = {
+      {"--opt-iterations", "100"}, {"--src-frames", "12"}, {"--target-frames", "12"}};
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    scene.remove("out");
+    ProcessSetup setup;
+    setup.signalAfterOutput = signal;
+    const ProcessResult result = scene.paint(slow, setup);
+    EXPECT_EQ(result.exitCode, code) << result.err;
+    const std::vector<std::string> written = scene.names("out");
+    ASSERT_GE(written.size(), 1U);
+    ASSERT_LT(written.size(), std::size_t{kFrames});
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      EXPECT_EQ("out/" + written[i], SmallScene::frame("out", static_cast<int>(i) + 1));
+    }
+    const std::string last =
+        "fluidymation: interrupted; " + std::to_string(written.size()) + " of 12 frames written\n";
+    ASSERT_GT(result.err.size(), last.size());
+    EXPECT_EQ(result.err.substr(result.err.size() - last.size()), last);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
+
 #include "fluidymation/core/error.h"
 #include "support/small_scene.h"
 
@@ -39,6 +41,31 @@ TEST(Stylize, LeavesTheCallersThreadSettingAsItWas) {
   EXPECT_NE(messageOf<Error>([&] { stylize(options, {}); }), "");
   EXPECT_EQ(omp_get_max_threads(), kCallersThreads);
   omp_set_num_threads(before);
+}
+
+TEST(Stylize, StopsAtEveryStageWhenAsked) {
+  constexpr int kFrames = 3;
+  // Asked before each mask of the exemplar, each of the target, each picture, each frame to paint.
+  for (int patience = 0; patience < 4 * kFrames; ++patience) {
+    const SmallScene scene(kFrames);
+    int asked = 0;
+    Observer observer;
+    observer.cancelled = [&] { return asked++ == patience; };
+    const int written = std::max(0, patience - 3 * kFrames);
+    EXPECT_EQ(messageOf<Interrupted>([&] { stylize(optionsFor(scene), observer); }),
+              "interrupted; " + std::to_string(written) + " of 3 frames written");
+    EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(written));
+  }
+}
+
+TEST(Stylize, FinishesWhenAskedToStopAfterTheLastFrame) {
+  const SmallScene scene(1);
+  bool stop = false;
+  Observer observer;
+  observer.frameDone = [&](const FrameReport&) { stop = true; };
+  observer.cancelled = [&] { return stop; };
+  stylize(optionsFor(scene), observer);
+  EXPECT_EQ(scene.names("out").size(), 1U);
 }
 
 }  // namespace
