@@ -376,7 +376,7 @@ TEST(EndToEndOutput, AStopSignalEndsTheRunBetweenFrames) {
   constexpr int kFrames = 12;
   const SmallScene scene(kFrames);
   const ToolOptions slow = {
-      {"--opt-iterations", "100"}, {"--src-frames", "12"}, {"--target-frames", "12"}};
+      {"--opt-iterations", "400"}, {"--src-frames", "12"}, {"--target-frames", "12"}};
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
     scene.remove("out");
     ProcessSetup setup;
