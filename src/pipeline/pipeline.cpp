@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +21,7 @@
 #include "fluidymation/synthesis/nnf_dump.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
+#include "pipeline/flow_note.h"
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
 #include "pipeline/outputs.h"
@@ -49,6 +50,12 @@ void stopIfCancelled(const Observer& observer, int written, int count) {
                     " frames written");
 }
 
+void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
+                const GuideFrame& frame) {
+  const std::optional<std::string> note = flowNote(option, frameNumber, frame.diffusion);
+  if (note && observer.note) observer.note(*note);
+}
+
 /// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
 /// @param otherBytes  what the run needs besides.
 /// @return  throws UsageError once the sum is above `kMaxRunBytes`.
@@ -75,18 +82,19 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
 }
 
 /// Reads the exemplar's pictures and builds its pyramid; dumps its guides where that is wanted.
-/// @param beforeFrame  called before every frame; may throw.
+/// @throws Interrupted, Error.
 Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides,
-                      const std::function<void()>& beforeFrame) {
+                      const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    beforeFrame();
+    stopIfCancelled(observer, 0, inputs.target.files.count());
     const GuideFrame frame = guides.next();
+    const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
+    tellOfFlow(observer, "--src-mask-path " + options.sourceMaskPath, number, frame);
     exemplar.setFrame(k, toLab(readPicture(inputs.color, k)), frame);
     if (options.dumpGuidesDirectory) {
-      const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
       dumpGuides(dumpFolder(options, "source"), number, frame);
     }
   }
@@ -145,7 +153,7 @@ void stylize(const Options& options, const Observer& observer) {
       },
       GuideOptions{targetMask, options.timeBlurSigmaFrames});
   createOutputFolders(options, outPaths);
-  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, stopBeforeTheFirst);
+  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, observer);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
   for (int j = 0; j < frameCount; ++j) {
@@ -153,9 +161,10 @@ void stylize(const Options& options, const Observer& observer) {
     const auto i = static_cast<std::size_t>(j);
     const Clock::time_point start = Clock::now();
     const GuideFrame frame = guides.next();
+    const int number = inputs.target.files.numbers[i];
+    tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);
     writePng(outPaths[i], toOutput(picture, frame.mask));
-    const int number = inputs.target.files.numbers[i];
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "target"), number, frame);
       dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
