@@ -121,6 +121,15 @@ void describe(CLI::App& app, const std::vector<Spec>& table) {
   app.allow_extras();  // so that the complaint is ours
 }
 
+/// CLI11 leaves two blank lines between groups.
+[[nodiscard]] std::string withSingleBlankLines(std::string text) {
+  for (std::size_t at = text.find("\n\n\n"); at != std::string::npos;) {
+    text.erase(at, 1);
+    at = text.find("\n\n\n", at);
+  }
+  return text;
+}
+
 }  // namespace
 
 int defaultThreads(const char* ompNumThreads, const char* slurmCpusPerTask, int processors) {
@@ -141,7 +150,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
-    line.information = app.help();
+    line.information = withSingleBlankLines(app.help());
     return line;
   } catch (const CLI::ArgumentMismatch& error) {
     const std::string message = error.what();  // begins with the option's name

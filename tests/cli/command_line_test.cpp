@@ -364,7 +364,25 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "thesis §3.7"}) {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
-  EXPECT_EQ(help.find("\n\n\n\n"), std::string::npos);
+  EXPECT_EQ(help.find("\n\n\n"), std::string::npos);
+}
+
+/// From `begin` on up to the next `end`; all of it where one is not found.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t first = text.find(begin);
+  return text.substr(first, text.find(end, first) - first);
+}
+
+TEST(CommandLine, TheReadmeListsTheOptionsAsHelpDoes) {
+  const std::string firstGroup = "Inputs and outputs:\n";
+  const std::string help = parse({"--help"}).information.value_or("");
+  ASSERT_NE(help.find(firstGroup), std::string::npos);
+  const test::Bytes bytes = test::readBytes(FLUIDYMATION_README);
+  const std::string readme(bytes.begin(), bytes.end());
+  ASSERT_NE(readme.find(firstGroup), std::string::npos);
+  std::string options = help.substr(help.find(firstGroup));
+  options.erase(options.find_last_not_of('\n') + 1);
+  EXPECT_EQ(between(readme, firstGroup, "\n```"), options);
 }
 
 TEST(CommandLine, HelpAndVersionNeedNothingElse) {
