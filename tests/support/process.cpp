@@ -14,8 +14,12 @@
 #include <system_error>
 #include <utility>
 
+#include "support/privileges.h"
+
 namespace fluidymation::test {
 namespace {
+
+constexpr int kNotStarted = 127;  // exit code
 
 [[noreturn]] void fail(const char* call) {
   throw std::system_error(errno, std::generic_category(), call);
@@ -154,6 +158,7 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
   const std::vector<char*> envp = pointersTo(environmentTexts);
   Stream out = openStream(setup.out);
   Stream err = openStream(setup.err);
+  const Descriptor executable(open(program.c_str(), O_RDONLY | O_CLOEXEC));
   const Descriptor in(setup.inputClosed ? -1 : open("/dev/null", O_RDONLY | O_CLOEXEC));
 
   const auto start = std::chrono::steady_clock::now();
@@ -172,8 +177,11 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
     // Where the tests run in the background of a script the shell has these ignored.
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
-    if (chdir(setup.workingFolder.c_str()) == 0) execve(program.c_str(), argv.data(), envp.data());
-    _exit(127);
+    if (chdir(setup.workingFolder.c_str()) != 0) _exit(kNotStarted);
+    if (setup.unprivileged) dropPrivileges();
+    // By descriptor: the ordinary user need not be able to reach the build folder.
+    fexecve(executable.number(), argv.data(), envp.data());
+    _exit(kNotStarted);
   }
   out.program.reset();
   err.program.reset();
