@@ -1,5 +1,6 @@
 #include "fluidymation/io/atomic_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -114,7 +115,7 @@ void checkFolderCreatable(const std::string& folder) {
   if (!fs::is_directory(existing, ignored)) {
     failToCreate(folder, complete ? "it exists and is no folder" : systemReason(ENOTDIR));
   }
-  if (access(existing.c_str(), W_OK | X_OK) == 0) return;
+  if (faccessat(AT_FDCWD, existing.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
   if (complete) failToWriteIn(folder, errno);
   failToCreate(folder, systemReason(errno));
 }

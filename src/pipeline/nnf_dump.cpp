@@ -1,4 +1,4 @@
-#include "fluidymation/synthesis/nnf_dump.h"
+#include "pipeline/nnf_dump.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "fluidymation/io/atomic_file.h"
-#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/dump_name.h"
 
 namespace fluidymation {
 namespace {
