@@ -82,6 +82,19 @@ Mask readMask(const InputSequence& masks, int frame) {
   return mask;
 }
 
+MaskReader countingReader(const InputSequence& masks, const std::string& path,
+                          std::int64_t otherBytes) {
+  return [&masks, path, bytes = otherBytes](int frame) mutable {
+    Mask mask = readMask(masks, frame);
+    bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
+    if (bytes <= kMaxRunBytes) return mask;
+    throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
+                     std::to_string(masks.files.count()) + " frames need about " +
+                     gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
+                     " (--target-frames, --target-scale)");
+  };
+}
+
 Image<Rgb> readPicture(const InputSequence& pictures, int frame) {
   const std::string& path = pictures.files.paths[static_cast<std::size_t>(frame)];
   return resize(readColor(path, pictures.stored), pictures.scaled);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/options.h"
 #include "fluidymation/pipeline.h"
@@ -35,6 +37,14 @@ struct Inputs {
 /// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
 /// @throws Error naming the file, also when its size is no longer the one found at first.
 [[nodiscard]] Mask readMask(const InputSequence& masks, int frame);
+
+/// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
+/// @param masks       must outlive the reader.
+/// @param path        of --target-path, for the message.
+/// @param otherBytes  what the run needs besides.
+/// @return  throws UsageError once the sum is above `kMaxRunBytes`.
+[[nodiscard]] MaskReader countingReader(const InputSequence& masks, const std::string& path,
+                                        std::int64_t otherBytes);
 
 /// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
 [[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);

@@ -56,22 +56,6 @@ void tellOfFlow(const Observer& observer, const std::string& option, int frameNu
   if (note && observer.note) observer.note(*note);
 }
 
-/// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
-/// @param otherBytes  what the run needs besides.
-/// @return  throws UsageError once the sum is above `kMaxRunBytes`.
-MaskReader countingReader(const InputSequence& masks, const std::string& path,
-                          std::int64_t otherBytes) {
-  return [&masks, path, bytes = otherBytes](int frame) mutable {
-    Mask mask = readMask(masks, frame);
-    bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
-    if (bytes <= kMaxRunBytes) return mask;
-    throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
-                     std::to_string(masks.files.count()) + " frames need about " +
-                     gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
-                     " (--target-frames, --target-scale)");
-  };
-}
-
 /// @throws Error when no mask of the exemplar holds any material.
 void requireMaterial(const Options& options, const GuideStream& guides) {
   if (guides.anyInside()) return;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fluidymation/core/error.h"
+#include "pipeline/inputs.h"
 #include "support/small_scene.h"
 
 namespace fluidymation {
@@ -33,6 +35,24 @@ TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");
   EXPECT_EQ(gibibytes((std::int64_t{1} << 30) + 1), "1.1 GiB");
   EXPECT_EQ(gibibytes(1), "0.1 GiB");
+}
+
+TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
+  const test::SmallScene scene(3);
+  InputSequence masks;
+  masks.stored = masks.scaled = Size{28, 22};
+  std::int64_t insideOfTwo = 0;
+  for (int number = 1; number <= 3; ++number) {
+    masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
+    if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
+  }
+  const MaskReader read =
+      countingReader(masks, "t/%d.png", kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
+  EXPECT_EQ(countInside(read(0)), countInside(scene.targetMask(1)));
+  EXPECT_EQ(countInside(read(1)), countInside(scene.targetMask(2)));
+  EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
+            "--target-path t/%d.png: the first 3 of 3 frames need about 6.1 GiB of memory; wanted "
+            "at most 6.0 GiB (--target-frames, --target-scale)");
 }
 
 TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
