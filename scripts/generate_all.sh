@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Paints every sample exemplar x target combination. Resumable: a combination that is complete is
-# left alone, one that was interrupted starts again. Ends with a list of what failed.
+# Paints every sample exemplar x target combination. Resumable: a combination that is complete and was
+# painted by the same command is left alone, any other starts again. The command is kept beside the
+# frames, in OUT_DIR/<name>.command. Ends with a list of what failed.
 # Usage: scripts/generate_all.sh [OUT_DIR] [EXEMPLAR...]     (default: output/all, every exemplar)
 # Environment: FLUIDYMATION  the tool (default: build/release/fluidymation)
 set -uo pipefail
@@ -26,23 +27,33 @@ for exemplar in "${exemplars[@]}"; do
   for target in "${targets[@]}"; do
     name=$exemplar-$target
     folder=$out/$name
-    if [ -d "$folder" ]; then
+    command=("$tool" --src-path "samples/source/$exemplar/rgb/%05d.png"
+      --src-mask-path "samples/source/$exemplar/mask/%05d.png"
+      --target-path "samples/target-mask/$target/%05d.png" --target-frames 1000
+      --out-path "$folder.partial/%05d.png" --quiet "${parameters[@]}")
+    stamp=$folder.command
+    if [ -d "$folder" ] && [ "$(cat "$stamp" 2>/dev/null)" = "${command[*]@Q}" ]; then
       echo "$name: complete, left alone"
-      continue
-    fi
-    echo "$name: painting"
-    rm -rf "$folder.partial"
-    started=$SECONDS
-    if "$tool" --src-path "samples/source/$exemplar/rgb/%05d.png" \
-      --src-mask-path "samples/source/$exemplar/mask/%05d.png" \
-      --target-path "samples/target-mask/$target/%05d.png" --target-frames 1000 \
-      --out-path "$folder.partial/%05d.png" --quiet "${parameters[@]}" &&
-      mv "$folder.partial" "$folder"; then
-      echo "$name: done in $((SECONDS - started)) s, $folder"
-      scripts/contact_sheet.py --exemplar "samples/source/$exemplar" \
-        --target "samples/target-mask/$target" --painted "$folder" --out "$out/$name.png"
     else
-      failed+=("$name")
+      echo "$name: painting"
+      # The old stamp first: whatever happens now, it must not vouch for other frames.
+      rm -rf "$stamp" "$folder.partial"; rm -f "$out/$name.png"
+      started=$SECONDS
+      "${command[@]}"
+      status=$?
+      # Stopped by Ctrl-C or SIGTERM, as the tool says it: the next one is not wanted either.
+      case $status in 130 | 143) exit $status ;; esac
+      if [ $status -ne 0 ] || ! rm -rf "$folder" || ! mv "$folder.partial" "$folder" ||
+        ! printf '%s\n' "${command[*]@Q}" >"$stamp"; then
+        failed+=("$name")
+        continue
+      fi
+      echo "$name: done in $((SECONDS - started)) s, $folder"
+    fi
+    if [ ! -f "$out/$name.png" ] &&
+      ! scripts/contact_sheet.py --exemplar "samples/source/$exemplar" \
+        --target "samples/target-mask/$target" --painted "$folder" --out "$out/$name.png"; then
+      failed+=("$name (contact sheet)")
     fi
   done
 done

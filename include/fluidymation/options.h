@@ -23,7 +23,7 @@ struct MaskOptions {
 
 struct GuideOptions {
   MaskOptions mask;
-  float timeBlurSigmaFrames = 2.0F;  ///< temporal smoothing of the distance field, >= 0; §4.1
+  float timeBlurSigmaFrames = 2.0F;  ///< temporal smoothing of the distance field, 0 to 50; §4.1
 };
 
 /// Distance bounds of the temporal modulation, px; §3.7.
@@ -38,7 +38,7 @@ struct SynthesisOptions {
   float prevWeight = 1.0F;        ///< temporal coherence; §3.7
   float lambda = 2.0F;            ///< spatial uniformity; §2.5, §3.3
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
-  float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, in (0, 1); §4.3
+  float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3
   float borderWidthPx = 10.0F;    ///< border segment: distance below this; §3.4
   ModulationBounds prevModulation;
   /// Iterations per level, coarsest first, the last value repeats. Defaults of §4.5 (the table of
@@ -48,7 +48,7 @@ struct SynthesisOptions {
   std::uint64_t seed = 0;
 };
 
-/// Everything one run depends on.
+/// Everything one run depends on. What each option accepts is stated in option_ranges.h.
 struct Options {
   SequenceOptions source;
   std::string sourceMaskPath;  ///< numbered and scaled as `source`

@@ -16,15 +16,19 @@ struct FrameReport {
   std::string path;      ///< the file written
 };
 
-/// How the engine speaks while it works; both are called from the thread that called `stylize`,
-/// and either may be empty.
+/// How the engine speaks and listens while it works; all are called from the thread that called
+/// `stylize`, and any may be empty.
 struct Observer {
   std::function<void(const std::string&)> note;  ///< one sentence for the user
   std::function<void(const FrameReport&)> frameDone;
+  /// Whether to stop. Asked between frames, where no file is half written.
+  std::function<bool()> cancelled;
 };
 
-/// Checks every input, then paints every target frame and writes it, on `options.threads` threads.
-/// @throws Error; prints nothing.
+/// Validates the options and checks every input, then paints every target frame and writes it, on
+/// `options.threads` threads. Leaves OpenMP's setting as it was.
+/// @throws Interrupted when `observer.cancelled` asked for it; Error, UsageError for options that
+/// `validate` refuses; prints nothing.
 void stylize(const Options& options, const Observer& observer);
 
 }  // namespace fluidymation

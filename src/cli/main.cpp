@@ -4,6 +4,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "cli/stop_signal.h"
 #include "cli/tool.h"
 #include "fluidymation/pipeline.h"
 
@@ -23,7 +24,8 @@ int main(int argc, char** argv) {
   occupyStandardStreams();
   // A closed terminal or pipe costs the progress lines, not the painting.
   std::signal(SIGPIPE, SIG_IGN);
+  fluidymation::cli::listenForStopSignals();
   const bool errIsTerminal = isatty(STDERR_FILENO) != 0;
   return fluidymation::cli::runTool(argc, argv, {std::cout, std::cerr, errIsTerminal},
-                                    fluidymation::stylize);
+                                    fluidymation::stylize, fluidymation::cli::receivedStopSignal);
 }

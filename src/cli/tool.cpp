@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "cli/command_line.h"
@@ -16,13 +17,22 @@ void printError(const Streams& streams, const std::string& message) {
   streams.err << "fluidymation: error: " + oneLine(message) + "\n" << std::flush;
 }
 
-void paint(const CommandLine& line, const Streams& streams, const Engine& engine) {
+/// Written as it is: there may be no memory left to build a message in.
+void printOutOfMemory(const Streams& streams) {
+  streams.err << "fluidymation: error: out of memory; smaller frames (--src-scale, "
+                 "--target-scale) or fewer (--src-frames) need less\n"
+              << std::flush;
+}
+
+void paint(const CommandLine& line, const Streams& streams, const Engine& engine,
+           const StopSignal& stopSignal) {
   Progress::Style style =
       streams.errIsTerminal ? Progress::Style::kTerminal : Progress::Style::kPlain;
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
   const Observer observer{[&](const std::string& text) { progress.note(text); },
-                          [&](const FrameReport& report) { progress.frameDone(report); }};
+                          [&](const FrameReport& report) { progress.frameDone(report); },
+                          [&] { return stopSignal && stopSignal() != 0; }};
   try {
     engine(line.options, observer);
   } catch (...) {
@@ -33,10 +43,10 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 }
 
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,
-                                     const Engine& engine) {
+                                     const Engine& engine, const StopSignal& stopSignal) {
   const CommandLine line = parseCommandLine(argc, argv);
   if (!line.information) {
-    paint(line, streams, engine);
+    paint(line, streams, engine, stopSignal);
     return kDone;
   }
   streams.out << *line.information << std::flush;
@@ -46,19 +56,22 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 
 }  // namespace
 
-ExitCode runTool(int argc, const char* const* argv, const Streams& streams,
-                 const Engine& engine) noexcept {
+int runTool(int argc, const char* const* argv, const Streams& streams, const Engine& engine,
+            const StopSignal& stopSignal) noexcept {
   try {
-    return parseAndPaint(argc, argv, streams, engine);
+    return parseAndPaint(argc, argv, streams, engine, stopSignal);
+  } catch (const Interrupted& stop) {
+    streams.err << "fluidymation: " + oneLine(stop.what()) + "\n" << std::flush;
+    return kStoppedBySignal + (stopSignal ? stopSignal() : 0);
   } catch (const UsageError& error) {
     printError(streams, error.what());
     return kWrongUsage;
   } catch (const Error& error) {
     printError(streams, error.what());
   } catch (const std::bad_alloc&) {
-    streams.err << "fluidymation: error: out of memory; smaller frames (--src-scale, "
-                   "--target-scale) or fewer (--src-frames) need less\n"
-                << std::flush;
+    printOutOfMemory(streams);
+  } catch (const std::length_error&) {  // a vector of more than any memory could hold
+    printOutOfMemory(streams);
   } catch (const std::exception& error) {
     printError(streams, std::string("internal error: ") + error.what());
   }

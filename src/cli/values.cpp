@@ -1,7 +1,6 @@
 #include "cli/values.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <optional>
@@ -22,12 +21,12 @@ template <typename T>
   return value;
 }
 
-/// As `parseWhole`; nothing also outside `range`. Compared in T, so that 0.99999999999 as a float
-/// is 1 and not below it.
+/// As `parseWhole`; nothing also outside `range`. Compared in T, so that 0.9900000001 is 0.99 as a
+/// float and not above it.
 template <typename T>
 [[nodiscard]] std::optional<T> parseWithin(const std::string& text, const Range& range) {
   const std::optional<T> value = parseWhole<T>(text);
-  return value && range.contains(static_cast<double>(*value)) ? value : std::nullopt;
+  return value && range.contains(*value) ? value : std::nullopt;
 }
 
 template <typename T>
@@ -48,32 +47,7 @@ template <typename T>
   return parts;
 }
 
-template <typename T>
-[[nodiscard]] std::string shortestText(T value) {
-  std::array<char, 64> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
-}
-
-/// 1000000 rather than 1e+06.
-[[nodiscard]] std::string boundText(double value) {
-  constexpr double kLargestPlain = 1e15;
-  const auto whole = static_cast<std::int64_t>(std::clamp(value, -kLargestPlain, kLargestPlain));
-  return static_cast<double>(whole) == value ? std::to_string(whole) : shortestText(value);
-}
-
 }  // namespace
-
-bool Range::contains(double value) const {
-  return (lowOpen ? value > low : value >= low) && (highOpen ? value < high : value <= high);
-}
-
-std::string Range::text() const {
-  return (lowOpen ? "(" : "[") + boundText(low) + ", " + boundText(high) + (highOpen ? ")" : "]");
-}
-
-std::string numberText(double value) { return shortestText(value); }
-std::string numberText(float value) { return shortestText(value); }
 
 std::string listText(const std::vector<int>& values) {
   std::string text;
@@ -107,14 +81,14 @@ std::vector<int> parseIntList(const std::string& option, const std::string& text
                               const Range& range) {
   std::vector<int> values;
   const std::vector<std::string> parts = splitAtCommas(text);
-  if (parts.size() <= static_cast<std::size_t>(kLongestList)) {
+  if (parts.size() <= static_cast<std::size_t>(ranges::kLongestList)) {
     for (const std::string& part : parts) {
       const std::optional<int> value = parseWithin<int>(part, range);
       if (value) values.push_back(*value);
     }
   }
   if (values.size() == parts.size()) return values;
-  throw UsageError(shown(option, text) + ": wanted 1 to " + std::to_string(kLongestList) +
+  throw UsageError(shown(option, text) + ": wanted 1 to " + std::to_string(ranges::kLongestList) +
                    " whole numbers in " + range.text() + " separated by commas, e.g. 4,3,2");
 }
 

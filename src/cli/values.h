@@ -4,22 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "fluidymation/option_ranges.h"
+
 namespace fluidymation::cli {
-
-/// Numbers an option accepts. Each end belongs to it unless it is open.
-struct Range {
-  double low = 0.0;
-  double high = 0.0;
-  bool lowOpen = false;
-  bool highOpen = false;
-
-  [[nodiscard]] bool contains(double value) const;  ///< false for NaN
-  [[nodiscard]] std::string text() const;           ///< "(0, 0.5]"
-};
-
-/// Shortest text that reads back as `value`, with a decimal point in any locale.
-[[nodiscard]] std::string numberText(double value);
-[[nodiscard]] std::string numberText(float value);
 
 /// "4,3,2"
 [[nodiscard]] std::string listText(const std::vector<int>& values);
@@ -35,8 +22,7 @@ struct Range {
                            bool zeroAllowed = true);
 [[nodiscard]] std::uint64_t parseSeed(const std::string& option, const std::string& text);
 
-/// Comma-separated whole numbers, 1 to `kLongestList` of them.
-inline constexpr int kLongestList = 32;
+/// Comma-separated whole numbers, 1 to `ranges::kLongestList` of them.
 [[nodiscard]] std::vector<int> parseIntList(const std::string& option, const std::string& text,
                                             const Range& range);
 

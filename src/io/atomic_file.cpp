@@ -1,5 +1,6 @@
 #include "fluidymation/io/atomic_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,6 +20,14 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void failToWrite(const std::string& path, int code) {
   throw Error(path + ": cannot be written (" + systemReason(code) + ")");
+}
+
+[[noreturn]] void failToCreate(const std::string& folder, const std::string& reason) {
+  throw Error(folder + ": the folder cannot be created (" + reason + ")");
+}
+
+[[noreturn]] void failToWriteIn(const std::string& folder, int code) {
+  throw Error(folder + ": files cannot be created in this folder (" + systemReason(code) + ")");
 }
 
 /// Hidden, so that no listing takes it for a frame, and in the folder of `path`, because only
@@ -95,23 +104,36 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
   file.publish();
 }
 
+void checkFolderCreatable(const std::string& folder) {
+  std::error_code ignored;
+  fs::path existing = folder;
+  while (!fs::exists(existing, ignored) && existing.has_relative_path()) {
+    existing = existing.parent_path();
+  }
+  if (existing.empty()) existing = ".";
+  const bool complete = existing == fs::path(folder);
+  if (!fs::is_directory(existing, ignored)) {
+    failToCreate(folder, complete ? "it exists and is no folder" : systemReason(ENOTDIR));
+  }
+  if (faccessat(AT_FDCWD, existing.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
+  if (complete) failToWriteIn(folder, errno);
+  failToCreate(folder, systemReason(errno));
+}
+
 void createFolder(const std::string& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   // Whether `failure` is set for a folder that exists depends on trailing slashes and links.
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return;
-  const std::string reason = failure ? failure.message() : "it exists and is no folder";
-  throw Error(folder + ": the folder cannot be created (" + reason + ")");
+  failToCreate(folder, failure ? failure.message() : "it exists and is no folder");
 }
 
 void checkFolderWritable(const std::string& folder) {
   const std::string probe = temporaryName(folder + "/write-test");
   std::remove(probe.c_str());
   std::FILE* const file = std::fopen(probe.c_str(), "wbxe");
-  if (file == nullptr) {
-    throw Error(folder + ": files cannot be created in this folder (" + systemReason(errno) + ")");
-  }
+  if (file == nullptr) failToWriteIn(folder, errno);
   std::fclose(file);
   std::remove(probe.c_str());
 }

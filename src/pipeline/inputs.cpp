@@ -23,7 +23,8 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   InputSequence input;
   input.files = findFrames(FramePattern(path), sequence, optionName);
   if (!input.files.note.empty() && observer.note) observer.note(input.files.note);
-  input.scaled = scaledSize(commonSize(input.files), sequence.scale);
+  input.stored = commonSize(input.files);
+  input.scaled = scaledSize(input.stored, sequence.scale);
   if (input.scaled.width > kMaxImageSidePx || input.scaled.height > kMaxImageSidePx ||
       static_cast<std::int64_t>(input.scaled.width) * input.scaled.height > kMaxImagePixels) {
     throw UsageError(optionName + ": frames scaled to " + text(input.scaled) + "; wanted at most " +
@@ -31,6 +32,19 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
                      std::to_string(kMaxImagePixels) + " px in all");
   }
   return input;
+}
+
+/// @throws UsageError when the run needs more than `kMaxRunBytes`.
+void requireMemory(const Options& options, const Inputs& inputs) {
+  const RunSize run = sizeOfRun(options, inputs);
+  const std::int64_t bytes = bytesOfRun(run);
+  if (bytes <= kMaxRunBytes) return;
+  throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
+                   ": " + std::to_string(run.exemplarFrames) + " frames of " + text(run.exemplar) +
+                   " and " + std::to_string(run.targetFrames) + " of " + text(run.target) +
+                   " need about " + gibibytes(bytes) + " of memory; wanted at most " +
+                   gibibytes(kMaxRunBytes) +
+                   " (--src-frames, --src-scale, --target-scale, --threads)");
 }
 
 }  // namespace
@@ -50,21 +64,40 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                 std::to_string(color.count()) + "; an exemplar and its masks must agree");
   }
   requireMasksOfSameSize(color, mask);
-  const Size size = inputs.color.scaled;
-  if (std::int64_t{size.width} * size.height * color.count() > kMaxExemplarPixels) {
-    throw UsageError("--src-path " + options.source.path + ": " + std::to_string(color.count()) +
-                     " frames of " + text(size) + "; wanted at most " +
-                     std::to_string(kMaxExemplarPixels) + " px in all (--src-frames, --src-scale)");
-  }
+  requireMemory(options, inputs);
   return inputs;
 }
 
-Mask readMask(const std::string& path, Size size) {
-  const Image<float> coverage = resize(readCoverage(path), size);
-  Mask mask(size);
+RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
+  return {inputs.color.scaled, inputs.color.files.count(), inputs.target.scaled,
+          inputs.target.files.count(), options.threads};
+}
+
+Mask readMask(const InputSequence& masks, int frame) {
+  const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
+  const Image<float> coverage = resize(readCoverage(path, masks.stored), masks.scaled);
+  Mask mask(masks.scaled);
   std::transform(coverage.begin(), coverage.end(), mask.begin(),
                  [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
   return mask;
+}
+
+MaskReader countingReader(const InputSequence& masks, const std::string& path,
+                          std::int64_t otherBytes) {
+  return [&masks, path, bytes = otherBytes](int frame) mutable {
+    Mask mask = readMask(masks, frame);
+    bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
+    if (bytes <= kMaxRunBytes) return mask;
+    throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
+                     std::to_string(masks.files.count()) + " frames need about " +
+                     gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
+                     " (--target-frames, --target-scale)");
+  };
+}
+
+Image<Rgb> readPicture(const InputSequence& pictures, int frame) {
+  const std::string& path = pictures.files.paths[static_cast<std::size_t>(frame)];
+  return resize(readColor(path, pictures.stored), pictures.scaled);
 }
 
 }  // namespace fluidymation

@@ -3,20 +3,21 @@
 #include <cstdint>
 #include <string>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/options.h"
 #include "fluidymation/pipeline.h"
+#include "pipeline/memory.h"
 
 namespace fluidymation {
 
-/// The exemplar is held whole, at about 80 bytes a pixel and frame with its guides and levels.
-inline constexpr std::int64_t kMaxExemplarPixels = 250'000'000;
-
-/// A sequence as found on disk and the size its frames are scaled to.
+/// A sequence as found on disk, the size of its frames and the one they are scaled to.
 struct InputSequence {
   FrameFiles files;
+  Size stored;
   Size scaled;
 };
 
@@ -27,11 +28,25 @@ struct Inputs {
   InputSequence target;
 };
 
-/// Finds all files, reads all headers, and checks that they fit together and the limits.
+/// Finds all files, reads all headers, and checks that they fit together and into memory.
 /// @throws Error, UsageError naming file or option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
 
-/// Reads a mask image, scales it as gray and cuts it at one half.
-[[nodiscard]] Mask readMask(const std::string& path, Size size);
+[[nodiscard]] RunSize sizeOfRun(const Options& options, const Inputs& inputs);
+
+/// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
+/// @throws Error naming the file, also when its size is no longer the one found at first.
+[[nodiscard]] Mask readMask(const InputSequence& masks, int frame);
+
+/// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
+/// @param masks       must outlive the reader.
+/// @param path        of --target-path, for the message.
+/// @param otherBytes  what the run needs besides.
+/// @return  throws UsageError once the sum is above `kMaxRunBytes`.
+[[nodiscard]] MaskReader countingReader(const InputSequence& masks, const std::string& path,
+                                        std::int64_t otherBytes);
+
+/// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
+[[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);
 
 }  // namespace fluidymation

@@ -8,11 +8,16 @@
 
 namespace fluidymation {
 
-/// The frames to be written: checked not to replace anything that is read, in a folder that exists
-/// and can be written; likewise the folders of the dump.
+/// The frames to be written: none may replace a file that is read, nor any other of the input
+/// patterns, whether it exists or not; the same for the dump. Changes nothing on the disk.
 /// @return  one path per target frame.
-/// @throws Error, UsageError naming file, folder or option; before any work.
-[[nodiscard]] std::vector<std::string> prepareOutput(const Options& options, const Inputs& inputs);
+/// @throws UsageError naming the option and the file; Error naming a folder or file that can
+///   foreseeably not be written.
+[[nodiscard]] std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs);
+
+/// Creates the folders of the frames and of the dump, and makes sure that files can be written
+/// there. @throws Error naming folder or file.
+void createOutputFolders(const Options& options, const std::vector<std::string>& paths);
 
 /// Where the guides of "source" or "target" are dumped; only with `--dump-guides`.
 [[nodiscard]] std::string dumpFolder(const Options& options, const std::string& sequence);

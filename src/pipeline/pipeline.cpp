@@ -1,37 +1,59 @@
 #include "fluidymation/pipeline.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
-#include "fluidymation/core/resize.h"
-#include "fluidymation/guides/guide_dump.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/png.h"
+#include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
-#include "fluidymation/synthesis/nnf_dump.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
+#include "pipeline/flow_note.h"
+#include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
+#include "pipeline/memory.h"
+#include "pipeline/nnf_dump.h"
 #include "pipeline/outputs.h"
 
 namespace fluidymation {
 namespace {
 
-GuideStream guidesOf(const InputSequence& masks, const MaskOptions& maskOptions,
-                     float timeBlurSigmaFrames) {
-  return GuideStream(
-      masks.files.count(),
-      [&masks](int frame) {
-        return readMask(masks.files.paths[static_cast<std::size_t>(frame)], masks.scaled);
-      },
-      GuideOptions{maskOptions, timeBlurSigmaFrames});
+/// OpenMP's thread count while a run lasts; the caller's own afterwards.
+class ThreadCount {
+ public:
+  explicit ThreadCount(int threads) : before_(omp_get_max_threads()) {
+    omp_set_num_threads(threads);
+  }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+  ~ThreadCount() { omp_set_num_threads(before_); }
+
+ private:
+  int before_;
+};
+
+/// @throws Interrupted when the caller wants no more.
+void stopIfCancelled(const Observer& observer, int written, int count) {
+  if (!observer.cancelled || !observer.cancelled()) return;
+  throw Interrupted("interrupted; " + std::to_string(written) + " of " + std::to_string(count) +
+                    " frames written");
+}
+
+void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
+                const GuideFrame& frame) {
+  const std::optional<std::string> note = flowNote(option, frameNumber, frame.diffusion);
+  if (note && observer.note) observer.note(*note);
 }
 
 /// @throws Error when no mask of the exemplar holds any material.
@@ -44,16 +66,20 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
 }
 
 /// Reads the exemplar's pictures and builds its pyramid; dumps its guides where that is wanted.
-Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides) {
+/// @throws Interrupted, Error.
+Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides,
+                      const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    stopIfCancelled(observer, 0, inputs.target.files.count());
     const GuideFrame frame = guides.next();
-    exemplar.setFrame(k, toLab(resize(readColor(inputs.color.files.paths[i]), size)), frame);
+    const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
+    tellOfFlow(observer, "--src-mask-path " + options.sourceMaskPath, number, frame);
+    exemplar.setFrame(k, toLab(readPicture(inputs.color, k)), frame);
     if (options.dumpGuidesDirectory) {
-      dumpGuides(dumpFolder(options, "source"), inputs.color.files.numbers[i], frame);
+      dumpGuides(dumpFolder(options, "source"), number, frame);
     }
   }
   exemplar.finish();
@@ -81,28 +107,48 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
 
 void stylize(const Options& options, const Observer& observer) {
   using Clock = std::chrono::steady_clock;
-  omp_set_num_threads(options.threads);
+  validate(options);
+  const ThreadCount threads(options.threads);
 
   const Inputs inputs = openInputs(options, observer);
-  const std::vector<std::string> outPaths = prepareOutput(options, inputs);
+  const std::vector<std::string> outPaths = checkOutput(options, inputs);
+  const int frameCount = inputs.target.files.count();
+  const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
 
-  // All masks are read before anything is written: a damaged one must not leave half a dump.
-  GuideStream sourceGuides =
-      guidesOf(inputs.sourceMask, options.sourceMask, options.timeBlurSigmaFrames);
+  // All masks are read before anything is written: a damaged one must leave neither half a dump nor
+  // an empty folder.
+  GuideStream sourceGuides(
+      inputs.sourceMask.files.count(),
+      [&](int frame) {
+        stopBeforeTheFirst();
+        return readMask(inputs.sourceMask, frame);
+      },
+      GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
-  GuideStream guides = guidesOf(inputs.target, targetMask, options.timeBlurSigmaFrames);
-  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides);
+  const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
+  const MaskReader readTarget = countingReader(inputs.target, options.target.path, otherBytes);
+  GuideStream guides(
+      frameCount,
+      [&](int frame) {
+        stopBeforeTheFirst();
+        return readTarget(frame);
+      },
+      GuideOptions{targetMask, options.timeBlurSigmaFrames});
+  createOutputFolders(options, outPaths);
+  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, observer);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
-  for (int j = 0; j < guides.frameCount(); ++j) {
+  for (int j = 0; j < frameCount; ++j) {
+    stopIfCancelled(observer, j, frameCount);
     const auto i = static_cast<std::size_t>(j);
     const Clock::time_point start = Clock::now();
     const GuideFrame frame = guides.next();
+    const int number = inputs.target.files.numbers[i];
+    tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);
     writePng(outPaths[i], toOutput(picture, frame.mask));
-    const int number = inputs.target.files.numbers[i];
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "target"), number, frame);
       dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
@@ -110,7 +156,7 @@ void stylize(const Options& options, const Observer& observer) {
     }
     if (observer.frameDone) {
       const std::chrono::duration<double> spent = Clock::now() - start;
-      observer.frameDone({j, guides.frameCount(), number, spent.count(), outPaths[i]});
+      observer.frameDone({j, frameCount, number, spent.count(), outPaths[i]});
     }
   }
 }

@@ -175,8 +175,9 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
   const std::string wantedSpeed = ": wanted a whole number in [-1000000, 1000000] other than 0";
   const std::string wantedScale = ": wanted a number in (0, 16]";
   const std::string wantedSigma = ": wanted a number in [0, 1000]";
+  const std::string wantedTimeSigma = ": wanted a number in [0, 50]";
   const std::string wantedWeight = ": wanted a number in [0, 1000000]";
-  const std::string wantedAlpha = ": wanted a number in (0, 1)";
+  const std::string wantedAlpha = ": wanted a number in (0, 0.99]";
   const std::string wantedWidth = ": wanted a number in [0.1, 10000]";
   const struct {
     const char* option;
@@ -206,7 +207,8 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--blur-sigma", "-0.1", wantedSigma},
       {"--blur-sigma", "8px", wantedSigma},
       {"--target-blur-sigma", "NaN", wantedSigma},
-      {"--time-blur-sigma", "1e999", wantedSigma},
+      {"--time-blur-sigma", "1e999", wantedTimeSigma},
+      {"--time-blur-sigma", "50.01", wantedTimeSigma},
       {"--dist-weight", "-1", wantedWeight},
       {"--flow-weight", "infinity", wantedWeight},
       {"--prev-weight", "one", wantedWeight},
@@ -215,7 +217,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--occ-radius", "-1", ": wanted a whole number in [0, 10000]"},
       {"--patchmatch-alpha", "1", wantedAlpha},
       {"--patchmatch-alpha", "0", wantedAlpha},
-      {"--patchmatch-alpha", "0.99999999999", wantedAlpha},
+      {"--patchmatch-alpha", "0.9901", wantedAlpha},
       {"--border-width", "0", wantedWidth},
       {"--border-width", "1e-30", wantedWidth},
       {"--prev-modulation-bounds", "10", bounds},
@@ -244,6 +246,14 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
     EXPECT_EQ(complaint(complete({c.option, c.value})), expected);
     EXPECT_EQ(complaint(complete({std::string(c.option) + "=" + c.value})), expected);
   }
+}
+
+TEST(CommandLine, EndsOfARangeBelongToItWhateverTheirBinaryForm) {
+  // The float next to 0.99 is above it, the one next to 0.1 as well.
+  const Options options =
+      parse(complete({"--patchmatch-alpha", "0.99", "--border-width", "0.1"})).options;
+  EXPECT_EQ(options.synthesis.patchmatchAlpha, 0.99F);
+  EXPECT_EQ(options.synthesis.borderWidthPx, 0.1F);
 }
 
 TEST(CommandLine, EmptyValuesAreRefusedForEveryOption) {
@@ -342,7 +352,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "Running:",
                            "(default 8 px; in [0, 1000]",
                            "(default 0.3; in (0, 0.5]",
-                           "(default 0.75; in (0, 1)",
+                           "(default 0.75; in (0, 0.99]",
                            "(default 10,2 px;",
                            "(default 6,4;",
                            "(default 4,3,2;",
@@ -354,7 +364,25 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "thesis §3.7"}) {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
-  EXPECT_EQ(help.find("\n\n\n\n"), std::string::npos);
+  EXPECT_EQ(help.find("\n\n\n"), std::string::npos);
+}
+
+/// From `begin` on up to the next `end`; all of it where one is not found.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t first = text.find(begin);
+  return text.substr(first, text.find(end, first) - first);
+}
+
+TEST(CommandLine, TheReadmeListsTheOptionsAsHelpDoes) {
+  const std::string firstGroup = "Inputs and outputs:\n";
+  const std::string help = parse({"--help"}).information.value_or("");
+  ASSERT_NE(help.find(firstGroup), std::string::npos);
+  const test::Bytes bytes = test::readBytes(FLUIDYMATION_README);
+  const std::string readme(bytes.begin(), bytes.end());
+  ASSERT_NE(readme.find(firstGroup), std::string::npos);
+  std::string options = help.substr(help.find(firstGroup));
+  options.erase(options.find_last_not_of('\n') + 1);
+  EXPECT_EQ(between(readme, firstGroup, "\n```"), options);
 }
 
 TEST(CommandLine, HelpAndVersionNeedNothingElse) {

@@ -242,7 +242,7 @@ TEST_F(EndToEndDump, ThetaTurnsTheExemplarsFlowOntoTheTargets) {
     int right = 0;
     for (int y = 0; y < kTarget.height; ++y) {
       for (int x = 0; x < kTarget.width; ++x) {
-        if (nnf.at(x, y, 2) < 0.0F) continue;
+        if (std::isnan(nnf.at(x, y, 2))) continue;
         ++painted;
         // An eighth of a turn clockwise, y being down, or the opposite of that.
         const float turned = theta.at(x, y) < 0.0F ? theta.at(x, y) + kPi : theta.at(x, y);
@@ -281,9 +281,7 @@ TEST_F(EndToEndDump, MatchesLieInTheExemplarAndNameItsFrames) {
     for (int y = 0; y < kTarget.height; ++y) {
       for (int x = 0; x < kTarget.width; ++x) {
         if (shape(x, y) == 0) {
-          ASSERT_EQ(nnf.at(x, y, 0), -1.0F);
-          ASSERT_EQ(nnf.at(x, y, 1), -1.0F);
-          ASSERT_EQ(nnf.at(x, y, 2), -1.0F);
+          for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isnan(nnf.at(x, y, c)));
           ASSERT_EQ(theta.at(x, y), 0.0F);
           continue;
         }
@@ -309,12 +307,30 @@ TEST_F(EndToEndDump, ASingleSourceFrameIsNamedEverywhere) {
     const Mask shape = mask("target", number);
     for (int y = 0; y < kTarget.height; ++y) {
       for (int x = 0; x < kTarget.width; ++x) {
-        ASSERT_EQ(nnf.at(x, y, 2), shape(x, y) != 0 ? 3.0F : -1.0F);
+        const float frame = nnf.at(x, y, 2);
+        ASSERT_TRUE(shape(x, y) != 0 ? frame == 3.0F : std::isnan(frame)) << frame;
       }
     }
   }
   EXPECT_EQ(scene_.names("single/source").size(), 8U);
   EXPECT_EQ(scene_.names("single/source").front(), "00003.dist.pfm");
+}
+
+TEST_F(EndToEndDump, AFrameOfAnyNumberIsToldFromNoMatch) {
+  scene_.write("src/-0001.png", scene_.read("src/00001.png"));
+  scene_.write("mask/-0001.png", scene_.read("mask/00001.png"));
+  (void)scene_.painting({{"--dump-guides", "minus"},
+                         {"--src-start", "-1"},
+                         {"--src-frames", "1"},
+                         {"--target-frames", "4"}});
+  const FloatImage nnf = readPfm(scene_.file("minus/target/00001.nnf.pfm"), "PF", kTarget);
+  const Mask shape = mask("target", 1);
+  for (int y = 0; y < kTarget.height; ++y) {
+    for (int x = 0; x < kTarget.width; ++x) {
+      const float frame = nnf.at(x, y, 2);
+      ASSERT_TRUE(shape(x, y) != 0 ? frame == -1.0F : std::isnan(frame)) << frame;
+    }
+  }
 }
 
 TEST_F(EndToEndDump, PicturesForPeopleHaveTheFramesSize) {
@@ -346,7 +362,7 @@ TEST_F(EndToEndDump, EmptyFramesAreDumpedToo) {
   (void)scene_.painting({{"--dump-guides", "gap"}});
   const FloatImage nnf = readPfm(scene_.file("gap/target/00002.nnf.pfm"), "PF", kTarget);
   EXPECT_TRUE(std::all_of(nnf.values.begin(), nnf.values.end(),
-                          [](float value) { return value == -1.0F; }));
+                          [](float value) { return std::isnan(value); }));
   const FloatImage distance = readPfm(scene_.file("gap/target/00002.dist.pfm"), "Pf", kTarget);
   EXPECT_TRUE(std::all_of(distance.values.begin(), distance.values.end(),
                           [](float value) { return value < 0.0F && std::isfinite(value); }));

@@ -1,9 +1,9 @@
 // Where the real program writes, where it must not, and what it says.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 
@@ -88,6 +88,101 @@ TEST(EndToEndOutput, NoLinkLeadsOntoAnInput) {
   fs::rename(linked.file("target/00004.png"), linked.file("kept.png"));
   fs::create_symlink("../kept.png", linked.file("target/00004.png"));
   expectRefusedUntouched(linked, "target/%05d.png", "target/00001.png");
+}
+
+TEST(EndToEndOutput, FramesOfAnInputThatAreNotUsedAreSafeToo) {
+  const SmallScene scene(6);
+  const ToolOptions firstTwo = {
+      {"--src-frames", "2"}, {"--target-start", "5"}, {"--target-frames", "2"}};
+  const auto before = contentOf(scene);
+  for (const std::string folder : {"src", "mask", "target"}) {
+    // Frames 5 and 6 of the exemplar exist, but nobody reads them; 9 does not even exist.
+    ToolOptions options = firstTwo;
+    options["--out-path"] = folder + "/%05d.png";
+    EXPECT_TRUE(failedWith(2,
+                           "--out-path " + folder + "/%05d.png: " + folder +
+                               "/00005.png is an input and would be overwritten; choose another "
+                               "--out-path",
+                           scene.paint(quietly(options))));
+    options["--out-path"] = folder + "/0001%d.png";
+    EXPECT_TRUE(failedNaming(2, "--out-path " + folder, {folder + "/00015.png is an input"},
+                             scene.paint(quietly(options))));
+    // Not what the pattern means: five digits.
+    options["--out-path"] = folder + "/%06d.png";
+    EXPECT_EQ(scene.paint(quietly(options)).exitCode, 0);
+    scene.remove(folder + "/000005.png");
+    scene.remove(folder + "/000006.png");
+  }
+  EXPECT_TRUE(contentOf(scene) == before);
+}
+
+TEST(EndToEndOutput, NoHardLinkLeadsOntoAnInput) {
+  const SmallScene scene(6);
+  fs::create_directories(scene.file("out"));
+  fs::create_hard_link(scene.file("mask/00006.png"), scene.file("out/00002.png"));
+  ToolOptions options = {{"--src-frames", "3"}, {"--target-frames", "3"}};
+  const auto before = contentOf(scene);
+  EXPECT_TRUE(failedWith(2,
+                         "--out-path out/%05d.png: out/00002.png is an input and would be "
+                         "overwritten; choose another --out-path",
+                         scene.paint(quietly(options))));
+  EXPECT_TRUE(contentOf(scene) == before);
+  // Neither by the dump, by whatever link.
+  scene.remove("out");
+  options["--dump-guides"] = "dump";
+  fs::create_directories(scene.file("dump/target"));
+  const std::string dumped = "dump/target/00003.flow.png";
+  for (const bool hard : {true, false}) {
+    if (hard) {
+      fs::create_hard_link(scene.file("src/00005.png"), scene.file(dumped));
+    } else {
+      fs::create_symlink("../../src/00001.png", scene.file(dumped));
+    }
+    EXPECT_TRUE(failedWith(2,
+                           "--dump-guides dump: " + dumped +
+                               " is an input and would be overwritten; choose another folder",
+                           scene.paint(quietly(options))));
+    scene.remove(dumped);
+  }
+  EXPECT_EQ(scene.names("out"), kNothing);
+}
+
+TEST(EndToEndOutput, TheDumpLeavesNamesOfAnInputPatternAlone) {
+  const SmallScene scene;
+  // Frame 1 of the target pattern is not there; the dump of the exemplar's frame 1 would become it.
+  for (const int number : {2, 3, 4}) {
+    scene.write("dump/source/0000" + std::to_string(number) + ".mask.png",
+                scene.read(SmallScene::frame("target", number)));
+  }
+  const ToolOptions options = {{"--target-path", "dump/source/%05d.mask.png"},
+                               {"--target-start", "2"},
+                               {"--src-frames", "1"},
+                               {"--dump-guides", "dump"}};
+  const auto before = contentOf(scene);
+  EXPECT_TRUE(failedNaming(2, "--dump-guides dump: ", {"/00001.mask.png is an input"},
+                           scene.paint(quietly(options))));
+  EXPECT_TRUE(contentOf(scene) == before);
+}
+
+TEST(EndToEndOutput, WrongUsageAndDamagedMasksLeaveNoFolder) {
+  const SmallScene scene;
+  const auto before = contentOf(scene);
+  const std::vector<ToolOptions> wrong = {
+      {{"--out-path", "target/%05d.png"}, {"--dump-guides", "dump"}},
+      {{"--out-path", "out/deep/%05d.png"}, {"--dump-guides", "."}, {"--src-scale", "0"}},
+      {{"--out-path", "dump/target/%05d.nnf.png"}, {"--dump-guides", "dump"}},
+      {{"--out-path", "out/%05d.png"}, {"--src-start", "2000000000"}},
+  };
+  for (const ToolOptions& options : wrong) {
+    EXPECT_EQ(scene.paint(quietly(options)).exitCode, 2);
+    EXPECT_TRUE(contentOf(scene) == before);
+  }
+  Bytes damaged = scene.read("target/00004.png");
+  damaged.resize(damaged.size() / 2);
+  scene.write("target/00004.png", damaged);
+  const auto withDamage = contentOf(scene);
+  EXPECT_EQ(scene.paint(quietly({{"--dump-guides", "dump"}})).exitCode, 1);
+  EXPECT_TRUE(contentOf(scene) == withDamage);
 }
 
 TEST(EndToEndOutput, TheDumpNeverOverwritesAnInputWithANegativeNumber) {
@@ -212,13 +307,12 @@ TEST(EndToEndOutput, SaysWhyAFolderCannotBeWritten) {
     EXPECT_TRUE(failedNaming(1, "/proc/self: files cannot be created in this folder (", {},
                              scene.paint(quietly({{"--out-path", "/proc/self/%05d.png"}}))));
   }
-  if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const auto readOnly = fs::perms::owner_read | fs::perms::owner_exec;
   fs::create_directories(scene.file("shut"));
   fs::permissions(scene.file("shut"), readOnly);
-  const ProcessResult within = scene.paint(quietly({{"--out-path", "shut/%05d.png"}}));
-  const ProcessResult below = scene.paint(quietly({{"--out-path", "shut/a/%05d.png"}}));
-  const ProcessResult dump = scene.paint(quietly({{"--dump-guides", "shut/dump"}}));
+  const ProcessResult within = scene.paintUnprivileged(quietly({{"--out-path", "shut/%05d.png"}}));
+  const ProcessResult below = scene.paintUnprivileged(quietly({{"--out-path", "shut/a/%05d.png"}}));
+  const ProcessResult dump = scene.paintUnprivileged(quietly({{"--dump-guides", "shut/dump"}}));
   fs::permissions(scene.file("shut"), fs::perms::owner_all);
   EXPECT_TRUE(
       failedWith(1, "shut: files cannot be created in this folder (Permission denied)", within));
@@ -270,6 +364,33 @@ TEST(EndToEndOutput, AFullDiskEndsTheDumpWithoutHalfFiles) {
   for (const std::string& name : scene.names("dump/source")) {
     EXPECT_NE(name[0], '.') << name;
     EXPECT_FALSE(scene.read("dump/source/" + name).empty()) << name;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Signals
+
+TEST(EndToEndOutput, AStopSignalEndsTheRunBetweenFrames) {
+  constexpr int kFrames = 12;
+  const SmallScene scene(kFrames);
+  const ToolOptions slow = {
+      {"--opt-iterations", "400"}, {"--src-frames", "12"}, {"--target-frames", "12"}};
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    scene.remove("out");
+    ProcessSetup setup;
+    setup.signalAfterOutput = signal;
+    const ProcessResult result = scene.paint(slow, setup);
+    EXPECT_EQ(result.exitCode, code) << result.err;
+    const std::vector<std::string> written = scene.names("out");
+    ASSERT_GE(written.size(), 1U);
+    ASSERT_LT(written.size(), std::size_t{kFrames});
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      EXPECT_EQ("out/" + written[i], SmallScene::frame("out", static_cast<int>(i) + 1));
+    }
+    const std::string last =
+        "fluidymation: interrupted; " + std::to_string(written.size()) + " of 12 frames written\n";
+    ASSERT_GT(result.err.size(), last.size());
+    EXPECT_EQ(result.err.substr(result.err.size() - last.size()), last);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -12,7 +13,7 @@ namespace fluidymation::cli {
 namespace {
 
 struct Outcome {
-  ExitCode code;
+  int code;
   std::string out;
   std::string err;
 };
@@ -24,7 +25,7 @@ Outcome run(std::vector<const char*> arguments, const Engine& engine, bool termi
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   std::ostringstream out;
   std::ostringstream err;
-  const ExitCode code =
+  const int code =
       runTool(static_cast<int>(argv.size()), argv.data(), {out, err, terminal}, engine);
   return {code, out.str(), err.str()};
 }
@@ -71,12 +72,36 @@ TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
 
 TEST(Tool, ExitCodesTellWrongUsageFromFailure) {
   EXPECT_EQ(run({"--quiet"}, failing(UsageError("wrong"))).code, kWrongUsage);
-  const Outcome memory = run({"--quiet"}, failing(std::bad_alloc()));
-  EXPECT_EQ(memory.code, kFailed);
-  EXPECT_EQ(memory.err.find("fluidymation: error: out of memory; "), 0U);
+  for (const Engine& engine : {failing(std::bad_alloc()), failing(std::bad_array_new_length()),
+                               failing(std::length_error("vector::_M_default_append"))}) {
+    const Outcome memory = run({"--quiet"}, engine);
+    EXPECT_EQ(memory.code, kFailed);
+    EXPECT_EQ(memory.err.find("fluidymation: error: out of memory; "), 0U);
+  }
   const Outcome internal = run({"--quiet"}, failing(std::out_of_range("at")));
   EXPECT_EQ(internal.code, kFailed);
   EXPECT_EQ(internal.err, "fluidymation: error: internal error: at\n");
+}
+
+TEST(Tool, AStoppedRunEndsWithTheSignalsCode) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    int received = 0;
+    bool stoppedAtOnce = true;
+    const int number = signal;
+    std::ostringstream out;
+    std::ostringstream err;
+    const char* const argv[] = {"fluidymation",  "--quiet", "--src-path",      "s/%d",
+                                "--out-path",    "o/%d",    "--src-mask-path", "m/%d",
+                                "--target-path", "t/%d"};
+    const Engine engine = [&](const Options&, const Observer& observer) {
+      stoppedAtOnce = observer.cancelled();
+      received = number;
+      if (observer.cancelled()) throw Interrupted("interrupted; 1 of 2 frames written");
+    };
+    EXPECT_EQ(runTool(10, argv, {out, err}, engine, [&] { return received; }), code);
+    EXPECT_FALSE(stoppedAtOnce);
+    EXPECT_EQ(err.str(), "fluidymation: interrupted; 1 of 2 frames written\n");
+  }
 }
 
 TEST(Tool, WrongUsageNeverReachesTheEngine) {

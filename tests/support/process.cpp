@@ -9,11 +9,17 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <functional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+
+#include "support/privileges.h"
 
 namespace fluidymation::test {
 namespace {
+
+constexpr int kNotStarted = 127;  // exit code
 
 [[noreturn]] void fail(const char* call) {
   throw std::system_error(errno, std::generic_category(), call);
@@ -88,9 +94,12 @@ void connect(const Descriptor& from, int to) {
   }
 }
 
-/// Reads both streams until the program closes them; false when the time was over first.
+/// Reads both streams until the program closes them; false when the time was over first. Calls
+/// `afterOutput` once, when something has come from standard error.
 [[nodiscard]] bool readToEnd(Stream& out, Stream& err, ProcessResult& result,
-                             std::chrono::steady_clock::time_point deadline) {
+                             std::chrono::steady_clock::time_point deadline,
+                             const std::function<void()>& afterOutput) {
+  bool told = false;
   while (out.test.isOpen() || err.test.isOpen()) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
         deadline - std::chrono::steady_clock::now());
@@ -108,6 +117,7 @@ void connect(const Descriptor& from, int to) {
       std::string& text = i == 0 ? result.out : result.err;
       if (count > 0) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
+        if (i == 1 && !std::exchange(told, true)) afterOutput();
       } else if (count == 0 || errno != EINTR) {
         end.reset();
       }
@@ -148,6 +158,7 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
   const std::vector<char*> envp = pointersTo(environmentTexts);
   Stream out = openStream(setup.out);
   Stream err = openStream(setup.err);
+  const Descriptor executable(open(program.c_str(), O_RDONLY | O_CLOEXEC));
   const Descriptor in(setup.inputClosed ? -1 : open("/dev/null", O_RDONLY | O_CLOEXEC));
 
   const auto start = std::chrono::steady_clock::now();
@@ -163,15 +174,23 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
       setrlimit(RLIMIT_FSIZE, &limit);
       std::signal(SIGXFSZ, SIG_IGN);  // the write then fails instead
     }
-    if (chdir(setup.workingFolder.c_str()) == 0) execve(program.c_str(), argv.data(), envp.data());
-    _exit(127);
+    // Where the tests run in the background of a script the shell has these ignored.
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    if (chdir(setup.workingFolder.c_str()) != 0) _exit(kNotStarted);
+    if (setup.unprivileged) dropPrivileges();
+    // By descriptor: the ordinary user need not be able to reach the build folder.
+    fexecve(executable.number(), argv.data(), envp.data());
+    _exit(kNotStarted);
   }
   out.program.reset();
   err.program.reset();
 
   ProcessResult result;
   const auto deadline = start + setup.timeout;
-  const bool complete = readToEnd(out, err, result, deadline);
+  const bool complete = readToEnd(out, err, result, deadline, [&] {
+    if (setup.signalAfterOutput) kill(child, *setup.signalAfterOutput);
+  });
   waitForEnd(child, !complete, deadline, result);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   result.seconds = spent.count();

@@ -6,6 +6,7 @@
 
 #include "fluidymation/core/random.h"
 #include "support/png_maker.h"
+#include "support/privileges.h"
 #include "support/shapes.h"
 
 namespace fluidymation::test {
@@ -149,6 +150,13 @@ ProcessResult SmallScene::paint(const ToolOptions& options, ProcessSetup setup) 
   all.insert(standard.begin(), standard.end());  // what is given already stays
   setup.workingFolder = folder_.path();
   return runProcess(FLUIDYMATION_PROGRAM, argumentsOf(all), setup);
+}
+
+ProcessResult SmallScene::paintUnprivileged(const ToolOptions& options) const {
+  giveAway(folder_.path());
+  ProcessSetup setup;
+  setup.unprivileged = true;
+  return paint(options, setup);
 }
 
 SmallScene::Painting SmallScene::painting(const ToolOptions& options) const {

@@ -59,7 +59,11 @@ class SmallScene {
   /// Runs the tool in the scene's folder with the defaults, changed and completed by `options`.
   [[nodiscard]] ProcessResult paint(const ToolOptions& options = {}, ProcessSetup setup = {}) const;
 
-  /// The same with --quiet, and no reason to say anything: what was painted, by file name.
+  /// Runs it as an ordinary user, whom permissions hold back, and gives the scene to that user.
+  [[nodiscard]] ProcessResult paintUnprivileged(const ToolOptions& options = {}) const;
+
+  /// The same as `paint` with --quiet, and no reason to say anything: what was painted, by file
+  /// name.
   using Painting = std::map<std::string, Bytes>;
   [[nodiscard]] Painting painting(const ToolOptions& options = {}) const;
 

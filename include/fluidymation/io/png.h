@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "fluidymation/core/color.h"
@@ -8,8 +9,10 @@
 
 namespace fluidymation {
 
-/// Limits on what is read from files we do not know. A frame of 16384 x 16384 is far beyond film
-/// sizes; the pixel limit keeps one decoded frame (16 bytes a pixel) below 2 GiB.
+/// Limits on what is read from files we do not know; 16384 x 16384 is far beyond film sizes. While
+/// an exemplar frame of the pixel limit is read, RGBA and RGB floats exist side by side: 28 bytes a
+/// pixel, 3.1 GiB (8 more, the rows as stored, when it is interlaced and has 16 bits). Scaling and
+/// the guides come on top.
 inline constexpr int kMaxImageSidePx = 16384;
 inline constexpr std::int64_t kMaxImagePixels = 120'000'000;
 
@@ -30,15 +33,22 @@ struct Rgba {
 /// transparency chunk, interlaced or not. Channels in [0, 1], sRGB-encoded, alpha straight (1 where
 /// the file has none). 16-bit samples are sRGB-encoded like 8-bit ones unless a gAMA chunk (without
 /// an sRGB or iCCP chunk) says otherwise.
-/// @throws Error naming the file; also for truncated and corrupt data.
-[[nodiscard]] Image<Rgba> readPng(const std::string& path);
+/// @param expected  the size found earlier, where there was an earlier look: whoever planned with
+///   it must not meet another one.
+/// @throws Error naming the file; also for truncated and corrupt data, and for files that change
+///   while they are read.
+[[nodiscard]] Image<Rgba> readPng(const std::string& path,
+                                  std::optional<Size> expected = std::nullopt);
 
-/// The colour of an exemplar frame; alpha is ignored.
-[[nodiscard]] Image<Rgb> readColor(const std::string& path);
+/// The colour of an exemplar frame; alpha is ignored. `expected` as for `readPng`.
+[[nodiscard]] Image<Rgb> readColor(const std::string& path,
+                                   std::optional<Size> expected = std::nullopt);
 
 /// What a mask image means, in [0, 1]: its alpha where the image has an alpha that is not opaque
 /// everywhere, else its luminance (Rec. 709 weights on the encoded values). Inside is from 0.5 up.
-[[nodiscard]] Image<float> readCoverage(const std::string& path);
+/// `expected` as for `readPng`.
+[[nodiscard]] Image<float> readCoverage(const std::string& path,
+                                        std::optional<Size> expected = std::nullopt);
 
 /// 8-bit straight-alpha pixel as written.
 struct Rgba8 {

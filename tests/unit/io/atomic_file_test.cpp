@@ -6,9 +6,11 @@
 
 #include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <stdexcept>
 
 #include "fluidymation/core/error.h"
+#include "support/privileges.h"
 #include "support/temporary_folder.h"
 
 namespace fluidymation {
@@ -109,12 +111,23 @@ TEST(AtomicFile, NamesFileAndReasonWhenTheFolderIsMissingOrNoFolder) {
 }
 
 TEST(AtomicFile, NamesFileAndReasonWhenTheFolderIsReadOnly) {
-  if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_write,
                                std::filesystem::perm_options::remove);
-  EXPECT_EQ(messageOf<Error>([&] { writeText(folder.file("a.txt"), "x"); }),
-            folder.file("a.txt") + ": cannot be written (Permission denied)");
+  test::giveAway(folder.path());
+  // In a process of its own, which can stop being root.
+  EXPECT_EXIT(
+      {
+        test::dropPrivileges();
+        std::cerr << messageOf<Error>([&] { writeText(folder.file("a.txt"), "x"); }) << "\n"
+                  << messageOf<Error>([&] { checkFolderCreatable(folder.path()); }) << "\n"
+                  << messageOf<Error>([&] { checkFolderCreatable(folder.file("b/c")); }) << "\n";
+        _exit(0);
+      },
+      ::testing::ExitedWithCode(0),
+      "/a.txt: cannot be written \\(Permission denied\\)\n.*"
+      ": files cannot be created in this folder \\(Permission denied\\)\n.*"
+      "/b/c: the folder cannot be created \\(Permission denied\\)\n");
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
@@ -144,6 +157,18 @@ TEST(CreateFolder, CreatesParentsAndAcceptsWhatExists) {
     createFolder(folder.file(name));
     EXPECT_TRUE(std::filesystem::is_directory(folder.file(name)));
   }
+}
+
+TEST(CheckFolderCreatable, SaysTheSameAsCreatingWouldAndCreatesNothing) {
+  const TemporaryFolder folder;
+  writeText(folder.file("plain"), "x");
+  for (const char* name : {"", "a", "a/b/", "a/../b"}) checkFolderCreatable(folder.file(name));
+  EXPECT_EQ(messageOf<Error>([&] { checkFolderCreatable(folder.file("plain")); }),
+            folder.file("plain") + ": the folder cannot be created (it exists and is no folder)");
+  EXPECT_EQ(messageOf<Error>([&] { checkFolderCreatable(folder.file("plain/a")); }),
+            folder.file("plain/a") + ": the folder cannot be created (Not a directory)");
+  checkFolderCreatable("relative");
+  EXPECT_EQ(folder.names(), Names{"plain"});
 }
 
 TEST(CreateFolder, NamesTheFolderThatCannotBe) {

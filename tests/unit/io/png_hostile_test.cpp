@@ -177,6 +177,19 @@ TEST_F(HostilePng, HeadersWithImpossibleTypesAreRefused) {
       << "a palette image without palette";
 }
 
+TEST_F(HostilePng, AFileThatIsNoLongerAsExpectedIsRefused) {
+  test::writeBytes(path_, wellFormed());
+  EXPECT_EQ(readPng(path_, Size{20, 15}).size(), (Size{20, 15}));
+  for (const Size planned : {Size{15, 20}, Size{20, 16}, Size{2000, 15}}) {
+    const std::string expected = path_ + ": changed while being read (" +
+                                 std::to_string(planned.width) + "x" +
+                                 std::to_string(planned.height) + " pixels at first, then 20x15)";
+    EXPECT_EQ(messageOf<Error>([&] { (void)readPng(path_, planned); }), expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)readColor(path_, planned); }), expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)readCoverage(path_, planned); }), expected);
+  }
+}
+
 TEST_F(HostilePng, WhatIsNoFileIsRefused) {
   const auto complaintAt = [](const std::string& path) {
     const std::string message = messageOf<Error>([&] { (void)readPng(path); });

@@ -1,14 +1,15 @@
-#include "fluidymation/synthesis/nnf_dump.h"
+#include "pipeline/nnf_dump.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "fluidymation/io/atomic_file.h"
-#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/dump_name.h"
 
 namespace fluidymation {
 namespace {
@@ -23,7 +24,8 @@ std::uint8_t share(float value, int extent) {
 void dumpNearestNeighborField(const std::string& folder, int frameNumber,
                               const NearestNeighborField& nnf,
                               const std::vector<int>& sourceNumbers, Size exemplarSize) {
-  Image<Float3> coordinates(nnf.size(), Float3{-1.0F, -1.0F, -1.0F});
+  constexpr float kNoMatch = std::numeric_limits<float>::quiet_NaN();
+  Image<Float3> coordinates(nnf.size(), Float3{kNoMatch, kNoMatch, kNoMatch});
   Image<float> angles(nnf.size());
   Image<Rgba8> picture(nnf.size());
   const int frameCount = static_cast<int>(sourceNumbers.size());

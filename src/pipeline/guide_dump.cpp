@@ -1,4 +1,4 @@
-#include "fluidymation/guides/guide_dump.h"
+#include "pipeline/guide_dump.h"
 
 #include <array>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/io/atomic_file.h"
-#include "fluidymation/io/dump_name.h"
 #include "fluidymation/io/flow_file.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/dump_name.h"
 
 namespace fluidymation {
 namespace {

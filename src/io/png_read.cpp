@@ -9,28 +9,18 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <memory>
 #include <new>
 #include <system_error>
 #include <vector>
 
 #include "fluidymation/core/error.h"
-#include "fluidymation/io/atomic_file.h"
-
-// How faults come out of libpng. It is C: it wants an error handler that does not return. Throwing
-// through its frames only works where it happens to be compiled with unwind tables, so the handler
-// jumps. A jump must not skip destructors; hence one rule for this file: whatever runs inside
-// `attempt` (our callbacks too) holds no object with a destructor while it calls libpng. Buffers
-// and handles live in the caller, and the jump is turned into an exception only after `attempt`.
+#include "io/libpng_calls.h"
 
 namespace fluidymation {
 namespace {
-
-constexpr std::size_t kMessageLength = 160;
 
 [[noreturn]] void failDamaged(const std::string& path, const std::string& reason) {
   throw Error(path + ": damaged PNG file (" + reason + ")");
@@ -149,33 +139,10 @@ void checkPlausible(const Header& header, std::int64_t byteCount, const std::str
                         dimensions(header.size.width, header.size.height) + " pixels it claims");
 }
 
-// ---------------------------------------------------------------------------------------------
-// libpng's callbacks
-
-using Message = std::array<char, kMessageLength>;
-
-[[noreturn]] void onError(png_structp png, png_const_charp text) {
-  auto& message = *static_cast<Message*>(png_get_error_ptr(png));
-  std::strncpy(message.data(), text, message.size() - 1);
-  png_longjmp(png, 1);
-}
-
-/// Warnings are about chunks we do not use; what matters is an error.
-void onWarning(png_structp /*png*/, png_const_charp /*text*/) {}
-
 void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
   auto* const file = static_cast<std::FILE*>(png_get_io_ptr(png));
   if (std::fread(data, 1, byteCount, file) == byteCount) return;
   png_error(png, std::ferror(file) != 0 ? "it cannot be read to its end" : "it ends too early");
-}
-
-/// Runs `body`, which calls libpng; false when libpng found an error. Not inlined, so that no
-/// variable of the caller can live in a register that the jump restores.
-template <typename Body>
-[[gnu::noinline]] bool attempt(png_structp png, const Body& body) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  body();
-  return true;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -185,7 +152,8 @@ template <typename Body>
 class Reader {
  public:
   Reader(std::FILE* file, const std::string& path) : path_(path) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, onError, onWarning);
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, libpng::onError,
+                                  libpng::onWarning);
     if (png_ == nullptr) throw std::bad_alloc();
     info_ = png_create_info_struct(png_);
     if (info_ == nullptr) {
@@ -204,14 +172,14 @@ class Reader {
   /// `body` calls libpng. @throws Error with libpng's reason.
   template <typename Body>
   void run(const Body& body) {
-    if (!attempt(png_, body)) failDamaged(path_, message_.data());
+    if (!libpng::attempt(png_, body)) failDamaged(path_, message_.data());
   }
 
  private:
   const std::string& path_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  Message message_{};
+  libpng::Message message_{};
 };
 
 void setLimits(png_structp png) {
@@ -249,7 +217,7 @@ struct RowLayout {
   return std::abs(gamma / kSrgbLike - 1.0) < kTolerance ? 0.0 : gamma;
 }
 
-/// Asks libpng for RGBA of 8 or 16 bits whatever the file has. Runs inside `attempt`.
+/// Asks libpng for RGBA of 8 or 16 bits whatever the file has. Runs inside `libpng::attempt`.
 void expandToRgba(png_structp png, png_infop info, RowLayout& layout) {
   png_set_expand(png);  // palette to RGB, 1, 2 and 4 bits to 8, tRNS to alpha
   png_set_gray_to_rgb(png);
@@ -296,7 +264,7 @@ Size readPngSize(const std::string& path) {
   return header.size;
 }
 
-Image<Rgba> readPng(const std::string& path) {
+Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
   const OpenFile input = openPng(path);
   const Header header = readHeader(input.file.get(), path);
   checkPlausible(header, input.byteCount, path);
@@ -306,12 +274,22 @@ Image<Rgba> readPng(const std::string& path) {
   auto* const png = reader.png();
   auto* const info = reader.info();
   RowLayout layout;
+  Size found;
   reader.run([&] {
     setLimits(png);
     png_read_info(png, info);
+    found = {static_cast<int>(png_get_image_width(png, info)),
+             static_cast<int>(png_get_image_height(png, info))};
     layout.gamma = declaredGamma(png, info);
     expandToRgba(png, info, layout);
   });
+  // libpng reads the header once more, and somebody may write to the file meanwhile. The rows below
+  // have libpng's length, so nothing else than the size that was checked may pass.
+  for (const Size size : {header.size, expected.value_or(header.size)}) {
+    if (found == size) continue;
+    throw Error(path + ": changed while being read (" + dimensions(size.width, size.height) +
+                " pixels at first, then " + dimensions(found.width, found.height) + ")");
+  }
 
   // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
   const bool keepRows = layout.passes > 1;
@@ -335,8 +313,8 @@ Image<Rgba> readPng(const std::string& path) {
   return image;
 }
 
-Image<Rgb> readColor(const std::string& path) {
-  const Image<Rgba> image = readPng(path);
+Image<Rgb> readColor(const std::string& path, std::optional<Size> expected) {
+  const Image<Rgba> image = readPng(path, expected);
   Image<Rgb> color(image.size());
   std::transform(image.begin(), image.end(), color.begin(), [](const Rgba& p) {
     return Rgb{p.r, p.g, p.b};
@@ -344,8 +322,8 @@ Image<Rgb> readColor(const std::string& path) {
   return color;
 }
 
-Image<float> readCoverage(const std::string& path) {
-  const Image<Rgba> image = readPng(path);
+Image<float> readCoverage(const std::string& path, std::optional<Size> expected) {
+  const Image<Rgba> image = readPng(path, expected);
   const bool opaque =
       std::all_of(image.begin(), image.end(), [](const Rgba& p) { return p.a == 1.0F; });
   const auto luminance = [](const Rgba& p) {
@@ -356,94 +334,6 @@ Image<float> readCoverage(const std::string& path) {
   std::transform(image.begin(), image.end(), coverage.begin(),
                  [&](const Rgba& p) { return opaque ? luminance(p) : p.a; });
   return coverage;
-}
-
-// ---------------------------------------------------------------------------------------------
-// Writing
-
-namespace {
-
-/// Where the bytes go, and what the sink threw: an exception must not pass through libpng.
-struct Output {
-  const ByteSink& sink;
-  std::exception_ptr failure;
-};
-
-void onWrite(png_structp png, png_bytep data, std::size_t byteCount) {
-  auto* const output = static_cast<Output*>(png_get_io_ptr(png));
-  try {
-    output->sink(data, byteCount);
-  } catch (...) {
-    output->failure = std::current_exception();
-  }
-  if (output->failure) png_error(png, "the disk did not accept it");
-}
-
-void onFlush(png_structp /*png*/) {}
-
-/// libpng's handles for writing one file.
-class Writer {
- public:
-  Writer(const ByteSink& sink, const std::string& path) : path_(path), output_{sink, nullptr} {
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, onError, onWarning);
-    if (png_ == nullptr) throw std::bad_alloc();
-    info_ = png_create_info_struct(png_);
-    if (info_ == nullptr) {
-      png_destroy_write_struct(&png_, nullptr);
-      throw std::bad_alloc();
-    }
-    png_set_write_fn(png_, &output_, onWrite, onFlush);
-  }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-  ~Writer() { png_destroy_write_struct(&png_, &info_); }
-
-  [[nodiscard]] png_structp png() const { return png_; }
-  [[nodiscard]] png_infop info() const { return info_; }
-
-  template <typename Body>
-  void run(const Body& body) {
-    if (attempt(png_, body)) return;
-    if (output_.failure) std::rethrow_exception(output_.failure);
-    throw Error(path_ + ": cannot be written (" + message_.data() + ")");
-  }
-
- private:
-  const std::string& path_;
-  Output output_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
-  Message message_{};
-};
-
-template <typename Pixel>
-void encode(const std::string& path, const Image<Pixel>& image, int colorType) {
-  writeAtomically(path, [&](const ByteSink& sink) {
-    Writer writer(sink, path);
-    auto* const png = writer.png();
-    auto* const info = writer.info();
-    writer.run([&] {
-      png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()),
-                   static_cast<png_uint_32>(image.height()), 8, colorType, PNG_INTERLACE_NONE,
-                   PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-      png_write_info(png, info);
-      for (int y = 0; y < image.height(); ++y) {
-        png_write_row(png, reinterpret_cast<png_const_bytep>(image.row(y)));
-      }
-      png_write_end(png, nullptr);
-    });
-  });
-}
-
-}  // namespace
-
-void writePng(const std::string& path, const Image<Rgba8>& image) {
-  static_assert(sizeof(Rgba8) == 4, "rows go to libpng as they are");
-  encode(path, image, PNG_COLOR_TYPE_RGB_ALPHA);
-}
-
-void writeGrayPng(const std::string& path, const Image<std::uint8_t>& image) {
-  encode(path, image, PNG_COLOR_TYPE_GRAY);
 }
 
 }  // namespace fluidymation

@@ -1,4 +1,4 @@
-#include "fluidymation/io/dump_name.h"
+#include "pipeline/dump_name.h"
 
 #include "fluidymation/io/frame_pattern.h"
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.h"
+
+namespace fluidymation::cli {
+
+/// The last group of the help text, where --help and --version belong too.
+inline constexpr const char* kRunningGroup = "Running";
+
+/// One line of the option table.
+struct Spec {
+  std::string name;
+  std::string group;
+  std::string valueName;  ///< stands for the value in the help text; empty for a flag
+  std::string help;
+  bool required = false;
+  std::function<void(CommandLine&, const std::string& value)> apply;
+};
+
+/// All options but --help and --version, in the order of the help text.
+[[nodiscard]] std::vector<Spec> optionTable();
+
+}  // namespace fluidymation::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fluidymation/core/geometry.h"
+
+namespace fluidymation {
+
+/// What a run may need: a machine with 8 GiB has to finish it, and some of that is its system's.
+inline constexpr std::int64_t kMaxRunBytes = std::int64_t{6} << 30;
+
+/// What decides about the memory of a run.
+struct RunSize {
+  Size exemplar;  ///< as scaled
+  int exemplarFrames = 0;
+  Size target;  ///< as scaled
+  int targetFrames = 0;
+  int threads = 1;
+};
+
+/// What is kept of every mask pixel of a target that is still to be painted: its flow and the
+/// motion still to come, a Vec2 each.
+inline constexpr std::int64_t kBytesPerMaskPixel = 16;
+
+/// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
+/// frame at work and the packed masks of the target. `kBytesPerMaskPixel` come on top for the
+/// target's mask pixels, whose number shows only when the masks are read.
+[[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
+
+/// "3.4 GiB", rounded up.
+[[nodiscard]] std::string gibibytes(std::int64_t bytes);
+
+}  // namespace fluidymation

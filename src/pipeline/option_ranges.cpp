@@ -1,0 +1,126 @@
+#include "fluidymation/option_ranges.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/io/frame_pattern.h"
+
+namespace fluidymation {
+namespace {
+
+template <typename T>
+[[nodiscard]] bool lies(T value, const Range& range) {
+  const auto low = static_cast<T>(range.low);
+  const auto high = static_cast<T>(range.high);
+  return (range.lowOpen ? value > low : value >= low) &&
+         (range.highOpen ? value < high : value <= high);
+}
+
+template <typename T>
+[[nodiscard]] std::string shortestText(T value) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+/// 1000000 rather than 1e+06.
+[[nodiscard]] std::string boundText(double value) {
+  constexpr double kLargestPlain = 1e15;
+  const auto whole = static_cast<std::int64_t>(std::clamp(value, -kLargestPlain, kLargestPlain));
+  return static_cast<double>(whole) == value ? std::to_string(whole) : shortestText(value);
+}
+
+void check(const std::string& option, int value, const Range& range) {
+  if (range.contains(value)) return;
+  throw UsageError(option + " " + std::to_string(value) + ": wanted a whole number in " +
+                   range.text());
+}
+
+template <typename T>
+void check(const std::string& option, T value, const Range& range) {
+  if (range.contains(value)) return;
+  throw UsageError(option + " " + numberText(value) + ": wanted a number in " + range.text());
+}
+
+void check(const std::string& option, const std::vector<int>& values, const Range& range) {
+  if (values.empty() || values.size() > static_cast<std::size_t>(ranges::kLongestList)) {
+    throw UsageError(option + ": " + std::to_string(values.size()) + " numbers; wanted 1 to " +
+                     std::to_string(ranges::kLongestList));
+  }
+  for (const int value : values) check(option, value, range);
+}
+
+void check(const std::string& prefix, const SequenceOptions& sequence) {
+  checkPattern(prefix + "-path", sequence.path);
+  check(prefix + "-start", sequence.start, ranges::kFrameNumbers);
+  check(prefix + "-frames", sequence.frames, ranges::kFrameCounts);
+  check(prefix + "-speed", sequence.speed, ranges::kSpeeds);
+  if (sequence.speed == 0) throw UsageError(prefix + "-speed 0: wanted a number other than 0");
+  check(prefix + "-scale", sequence.scale, ranges::kScales);
+}
+
+void check(const ModulationBounds& bounds) {
+  const std::string option = "--prev-modulation-bounds";
+  check(option, bounds.upperPx, ranges::kModulationBoundsPx);
+  check(option, bounds.lowerPx, ranges::kModulationBoundsPx);
+  if (bounds.upperPx > bounds.lowerPx) return;
+  throw UsageError(option + " " + numberText(bounds.upperPx) + "," + numberText(bounds.lowerPx) +
+                   ": wanted m_u greater than m_l");
+}
+
+void check(const SynthesisOptions& synthesis) {
+  check("--dist-weight", synthesis.distWeight, ranges::kWeights);
+  check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
+  check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
+  check("--border-width", synthesis.borderWidthPx, ranges::kWidthsPx);
+  check(synthesis.prevModulation);
+  check("--lambda", synthesis.lambda, ranges::kWeights);
+  check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);
+  check("--patchmatch-alpha", synthesis.patchmatchAlpha, ranges::kAlphas);
+  check("--patchmatch-iterations", synthesis.patchmatchIterations, ranges::kPatchmatchIterations);
+  check("--opt-iterations", synthesis.optIterations, ranges::kOptIterations);
+}
+
+}  // namespace
+
+bool Range::contains(double value) const { return lies(value, *this); }
+bool Range::contains(float value) const { return lies(value, *this); }
+bool Range::contains(int value) const { return lies(static_cast<double>(value), *this); }
+
+std::string Range::text() const {
+  return (lowOpen ? "(" : "[") + boundText(low) + ", " + boundText(high) + (highOpen ? ")" : "]");
+}
+
+std::string numberText(double value) { return shortestText(value); }
+std::string numberText(float value) { return shortestText(value); }
+
+void checkPattern(const std::string& option, const std::string& pattern) {
+  try {
+    const FramePattern parsed(pattern);
+  } catch (const UsageError& error) {
+    throw UsageError(option + ": " + error.what());
+  }
+}
+
+void validate(const Options& options) {
+  check("--src", options.source);
+  checkPattern("--src-mask-path", options.sourceMaskPath);
+  check("--target", options.target);
+  checkPattern("--out-path", options.outPath);
+  if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
+    throw UsageError("--dump-guides with an empty value: wanted a folder's name");
+  }
+  check("--blur-sigma", options.sourceMask.blurSigmaPx, ranges::kSigmasPx);
+  if (options.targetBlurSigmaPx) {
+    check("--target-blur-sigma", *options.targetBlurSigmaPx, ranges::kSigmasPx);
+  }
+  check("--mask-threshold", options.sourceMask.threshold, ranges::kThresholds);
+  check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
+  check(options.synthesis);
+  check("--threads", options.threads, ranges::kThreads);
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,75 @@
+#include "pipeline/memory.h"
+
+#include <gtest/gtest.h>
+
+#include "fluidymation/core/error.h"
+#include "pipeline/inputs.h"
+#include "support/small_scene.h"
+
+namespace fluidymation {
+namespace {
+
+TEST(Memory, ATypicalRunNeedsLittle) {
+  // The run of docs/performance.md: 344 MiB were measured.
+  const std::int64_t bytes = bytesOfRun({{400, 222}, 24, {1000, 800}, 8, 1});
+  EXPECT_GT(bytes, 300 << 20);
+  EXPECT_LT(bytes, 500 << 20);
+}
+
+TEST(Memory, GrowsWithEverySize) {
+  const RunSize run{{400, 300}, 20, {500, 400}, 30, 2};
+  const std::int64_t bytes = bytesOfRun(run);
+  const auto changed = [&](auto change) {
+    RunSize other = run;
+    change(other);
+    return bytesOfRun(other);
+  };
+  EXPECT_GT(changed([](RunSize& r) { r.exemplar = {401, 300}; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.exemplarFrames = 21; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.target = {500, 401}; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.targetFrames = 60; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
+}
+
+TEST(Memory, IsSaidInGibibytesRoundedUp) {
+  EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");
+  EXPECT_EQ(gibibytes((std::int64_t{1} << 30) + 1), "1.1 GiB");
+  EXPECT_EQ(gibibytes(1), "0.1 GiB");
+}
+
+TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
+  const test::SmallScene scene(3);
+  InputSequence masks;
+  masks.stored = masks.scaled = Size{28, 22};
+  std::int64_t insideOfTwo = 0;
+  for (int number = 1; number <= 3; ++number) {
+    masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
+    if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
+  }
+  const MaskReader read =
+      countingReader(masks, "t/%d.png", kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
+  EXPECT_EQ(countInside(read(0)), countInside(scene.targetMask(1)));
+  EXPECT_EQ(countInside(read(1)), countInside(scene.targetMask(2)));
+  EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
+            "--target-path t/%d.png: the first 3 of 3 frames need about 6.1 GiB of memory; wanted "
+            "at most 6.0 GiB (--target-frames, --target-scale)");
+}
+
+TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
+  const test::SmallScene scene(4);
+  // Each frame is within the limits of a frame.
+  for (int number = 1; number <= 4; ++number) {
+    const test::Bytes large = test::maskPng(Mask(Size{1000, 1000}));
+    scene.write(test::SmallScene::frame("src", number), large);
+    scene.write(test::SmallScene::frame("mask", number), large);
+  }
+  const test::ProcessResult refused = scene.paint({{"--quiet", ""}, {"--src-scale", "6"}});
+  EXPECT_TRUE(test::failedNaming(
+      2, "--src-path src/%05d.png, --target-path target/%05d.png: 4 frames of 6000x6000 and 4 of ",
+      {" need about ", " GiB of memory; wanted at most 6.0 GiB (--src-frames"}, refused));
+  EXPECT_LT(refused.peakBytes, 400'000'000);
+  EXPECT_TRUE(scene.names("out").empty());
+}
+
+}  // namespace
+}  // namespace fluidymation

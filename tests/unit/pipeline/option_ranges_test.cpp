@@ -1,0 +1,116 @@
+#include "fluidymation/option_ranges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/pipeline.h"
+#include "support/temporary_folder.h"
+
+namespace fluidymation {
+namespace {
+
+using test::messageOf;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Options that the engine accepts as far as it has not looked at any file.
+Options valid() {
+  Options options;
+  options.source.path = "none/src/%d.png";
+  options.sourceMaskPath = "none/mask/%d.png";
+  options.target.path = "none/target/%d.png";
+  options.outPath = "none/out/%d.png";
+  return options;
+}
+
+struct Fault {
+  const char* message;
+  std::function<void(Options&)> make;
+};
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> all = {
+      {"--src-path: the path is empty", [](Options& o) { o.source.path = ""; }},
+      {"--src-mask-path: a.png: ", [](Options& o) { o.sourceMaskPath = "a.png"; }},
+      {"--target-path: %s: ", [](Options& o) { o.target.path = "%s"; }},
+      {"--out-path: %d%d: ", [](Options& o) { o.outPath = "%d%d"; }},
+      {"--dump-guides with an empty value", [](Options& o) { o.dumpGuidesDirectory = ""; }},
+      {"--src-start 2000000000: wanted a whole number in [-1000000000, 1000000000]",
+       [](Options& o) { o.source.start = 2'000'000'000; }},
+      {"--src-frames 0: wanted a whole number in [1, 1000000]",
+       [](Options& o) { o.source.frames = 0; }},
+      {"--target-frames -1: ", [](Options& o) { o.target.frames = -1; }},
+      {"--src-speed 0: ", [](Options& o) { o.source.speed = 0; }},
+      {"--target-speed 0: ", [](Options& o) { o.target.speed = 0; }},
+      {"--src-scale 0: wanted a number in (0, 16]", [](Options& o) { o.source.scale = 0.0; }},
+      {"--target-scale nan: ", [](Options& o) { o.target.scale = std::nan(""); }},
+      {"--blur-sigma -1: ", [](Options& o) { o.sourceMask.blurSigmaPx = -1.0F; }},
+      {"--target-blur-sigma inf: ", [](Options& o) { o.targetBlurSigmaPx = kInfinity; }},
+      {"--mask-threshold 0.6: wanted a number in (0, 0.5]",
+       [](Options& o) { o.sourceMask.threshold = 0.6F; }},
+      {"--time-blur-sigma 51: wanted a number in [0, 50]",
+       [](Options& o) { o.timeBlurSigmaFrames = 51.0F; }},
+      {"--dist-weight nan: ", [](Options& o) { o.synthesis.distWeight = kNan; }},
+      {"--flow-weight inf: ", [](Options& o) { o.synthesis.flowWeight = kInfinity; }},
+      {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},
+      {"--lambda nan: ", [](Options& o) { o.synthesis.lambda = kNan; }},
+      {"--border-width 0.05: wanted a number in [0.1, 10000]",
+       [](Options& o) { o.synthesis.borderWidthPx = 0.05F; }},
+      {"--prev-modulation-bounds 2,2: wanted m_u greater than m_l",
+       [](Options& o) {
+         o.synthesis.prevModulation = {2.0F, 2.0F};
+       }},
+      {"--prev-modulation-bounds nan: ",
+       [](Options& o) {
+         o.synthesis.prevModulation = {10.0F, kNan};
+       }},
+      {"--occ-radius -1: ", [](Options& o) { o.synthesis.occRadiusFrames = -1; }},
+      {"--patchmatch-alpha 1: wanted a number in (0, 0.99]",
+       [](Options& o) { o.synthesis.patchmatchAlpha = 1.0F; }},
+      {"--patchmatch-alpha 0: ", [](Options& o) { o.synthesis.patchmatchAlpha = 0.0F; }},
+      {"--patchmatch-iterations: 0 numbers; wanted 1 to 32",
+       [](Options& o) { o.synthesis.patchmatchIterations.clear(); }},
+      {"--opt-iterations: 33 numbers; ", [](Options& o) { o.synthesis.optIterations.resize(33); }},
+      {"--opt-iterations -1: ",
+       [](Options& o) {
+         o.synthesis.optIterations = {4, -1};
+       }},
+      {"--threads 0: wanted a whole number in [1, 1024]", [](Options& o) { o.threads = 0; }},
+  };
+  return all;
+}
+
+TEST(Validate, AcceptsTheDefaultsAndTheEndsOfTheRanges) {
+  EXPECT_EQ(messageOf<Error>([] { validate(valid()); }), "");
+  Options ends = valid();
+  ends.synthesis.patchmatchAlpha = 0.99F;
+  ends.synthesis.borderWidthPx = 0.1F;
+  ends.timeBlurSigmaFrames = 50.0F;
+  EXPECT_EQ(messageOf<Error>([&] { validate(ends); }), "");
+}
+
+TEST(Validate, NamesTheOptionItsValueAndWhatIsWanted) {
+  for (const Fault& fault : faults()) {
+    Options options = valid();
+    fault.make(options);
+    const std::string message = messageOf<UsageError>([&] { validate(options); });
+    EXPECT_EQ(message.find(fault.message), 0U) << fault.message << " | " << message;
+  }
+}
+
+TEST(Validate, ComesBeforeAnyOtherCheckOfTheEngine) {
+  for (const Fault& fault : faults()) {
+    Options options = valid();
+    fault.make(options);
+    const std::string message = messageOf<UsageError>([&] { stylize(options, {}); });
+    EXPECT_EQ(message.find(fault.message), 0U) << fault.message << " | " << message;
+  }
+}
+
+}  // namespace
+}  // namespace fluidymation
