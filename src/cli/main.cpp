@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   occupyStandardStreams();
   // A closed terminal or pipe costs the progress lines, not the painting.
   std::signal(SIGPIPE, SIG_IGN);
+  // Beyond a limit on file sizes a write then fails with a reason instead of ending the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   fluidymation::cli::listenForStopSignals();
   const bool errIsTerminal = isatty(STDERR_FILENO) != 0;
   return fluidymation::cli::runTool(argc, argv, {std::cout, std::cerr, errIsTerminal},

@@ -113,8 +113,15 @@ std::string shown(const std::string& option, const std::string& text) {
 }
 
 std::string oneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+  // As bytes: whether char is signed depends on the machine
+  constexpr unsigned char kC1Lead = 0xC2;  // the controls U+0080 to U+009F are C2 80 to C2 9F
+  unsigned char before = 0;
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool c1 = before == kC1Lead && byte >= 0x80 && byte <= 0x9F;
+    before = byte;
+    if (byte < ' ' || byte == 0x7F || c1) c = '?';
+  }
   return text;
 }
 

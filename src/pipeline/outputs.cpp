@@ -18,6 +18,19 @@ bool isDumpFile(const std::filesystem::path& folder, const std::filesystem::path
   return path.parent_path() == folder && isDumpName(path.filename().string());
 }
 
+/// Names in `folder` that a dump could write and that are there already.
+std::vector<std::string> existingDumpNames(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code failure;  // a folder that is missing or cannot be read holds none
+  std::filesystem::directory_iterator entry(folder, failure);
+  for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    if (isDumpName(name)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// Names of dumped files in `folder` that are inputs or links to such.
 std::vector<std::string> endangeredNames(const std::string& folder, const ProtectedFiles& inputs,
                                          const std::vector<int>& numbers) {
@@ -25,22 +38,26 @@ std::vector<std::string> endangeredNames(const std::string& folder, const Protec
   for (const std::string& name : inputs.namesIn(canonical(folder), numbers)) {
     if (isDumpName(name)) names.push_back(name);
   }
-  std::error_code failure;
-  std::filesystem::directory_iterator entry(folder, failure);
-  for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
-    const std::string name = entry->path().filename().string();
-    if (isDumpName(name) && inputs.isLinked(entry->path())) names.push_back(name);
+  for (const std::string& name : existingDumpNames(folder)) {
+    if (inputs.isLinked(std::filesystem::path(folder) / name)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
-/// @throws UsageError where the dump would replace a painted frame or an input.
+/// @throws UsageError where the dump would replace a painted frame, an input or itself; Error where
+/// a name is taken by something that cannot be replaced.
 void checkDump(const Options& options, const Inputs& inputs, const ProtectedFiles& protectedFiles,
                const std::vector<std::string>& painted) {
   const std::string option = "--dump-guides " + *options.dumpGuidesDirectory + ": ";
+  const std::string sourceFolder = dumpFolder(options, "source");
+  const std::string targetFolder = dumpFolder(options, "target");
+  if (canonical(sourceFolder) == canonical(targetFolder)) {
+    throw UsageError(option + sourceFolder + " and " + targetFolder +
+                     " are one folder; choose another folder");
+  }
   for (const bool source : {true, false}) {
-    const std::string folder = dumpFolder(options, source ? "source" : "target");
+    const std::string& folder = source ? sourceFolder : targetFolder;
     const std::vector<int>& numbers = (source ? inputs.color : inputs.target).files.numbers;
     const std::vector<std::string> endangered = endangeredNames(folder, protectedFiles, numbers);
     if (!endangered.empty()) {
@@ -50,6 +67,9 @@ void checkDump(const Options& options, const Inputs& inputs, const ProtectedFile
     for (const std::string& path : painted) {
       if (!isDumpFile(canonical(folder), canonical(path))) continue;
       throw UsageError(option + path + " is a painted frame; choose another folder");
+    }
+    for (const std::string& name : existingDumpNames(folder)) {
+      checkReplaceable((std::filesystem::path(folder) / name).string());
     }
   }
 }

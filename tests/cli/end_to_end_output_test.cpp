@@ -335,6 +335,26 @@ TEST(EndToEndOutput, ChecksEveryFramesNameBeforeTheFirstIsPainted) {
   EXPECT_EQ(scene.names("wide"), kNothing);
 }
 
+TEST(EndToEndOutput, ChecksTheDumpsNamesBeforeTheFirstFrameIsPainted) {
+  const SmallScene scene;
+  fs::create_directories(scene.file("dump/target/00003.mask.png"));
+  EXPECT_TRUE(failedWith(1, "dump/target/00003.mask.png: cannot be written (it is a folder)",
+                         scene.paint(quietly({{"--dump-guides", "dump"}}))));
+  EXPECT_EQ(scene.names("out"), kNothing);
+  EXPECT_EQ(scene.names("dump"), std::vector<std::string>{"target"});
+}
+
+TEST(EndToEndOutput, TheDumpsOfExemplarAndTargetDoNotShareAFolder) {
+  const SmallScene scene;
+  fs::create_directories(scene.file("dump/target"));
+  fs::create_directory_symlink("target", scene.file("dump/source"));
+  EXPECT_TRUE(failedWith(2,
+                         "--dump-guides dump: dump/source and dump/target are one folder; choose "
+                         "another folder",
+                         scene.paint(quietly({{"--dump-guides", "dump"}}))));
+  EXPECT_EQ(scene.names("out"), kNothing);
+}
+
 TEST(EndToEndOutput, AFullDiskLeavesWholeFramesOnly) {
   const SmallScene scene;
   // An empty frame packs into less than a hundred bytes, a painted one does not.

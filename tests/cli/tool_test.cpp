@@ -70,6 +70,17 @@ TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
             "\rframe 1 of 2  0.50 s/frame  00:01 left\x1b[K\nfluidymation: error: a?b\n");
 }
 
+TEST(Tool, WhatComesFromFilesCannotSteerTheTerminal) {
+  // Escape, and the one-character form of its sequences, U+009B; a c with cedilla stays
+  const Outcome outcome = run({}, failing(Error("\x1b[31m \xc2\x9b"
+                                                "31m fa\xc3\xa7"
+                                                "ade")));
+  EXPECT_NE(outcome.err.find("?[31m \xc2?31m fa\xc3\xa7"
+                             "ade"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST(Tool, ExitCodesTellWrongUsageFromFailure) {
   EXPECT_EQ(run({"--quiet"}, failing(UsageError("wrong"))).code, kWrongUsage);
   for (const Engine& engine : {failing(std::bad_alloc()), failing(std::bad_array_new_length()),

@@ -172,7 +172,6 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
     if (setup.largestFileBytes) {
       const rlimit limit{*setup.largestFileBytes, *setup.largestFileBytes};
       setrlimit(RLIMIT_FSIZE, &limit);
-      std::signal(SIGXFSZ, SIG_IGN);  // the write then fails instead
     }
     // Where the tests run in the background of a script the shell has these ignored.
     std::signal(SIGINT, SIG_DFL);
