@@ -69,8 +69,9 @@ Inputs openInputs(const Options& options, const Observer& observer) {
 }
 
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
-  return {inputs.color.scaled, inputs.color.files.count(), inputs.target.scaled,
-          inputs.target.files.count(), options.threads};
+  return {inputs.color.scaled,  inputs.color.files.count(),
+          inputs.target.scaled, inputs.target.files.count(),
+          options.threads,      options.timeBlurSigmaFrames};
 }
 
 Mask readMask(const InputSequence& masks, int frame) {

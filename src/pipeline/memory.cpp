@@ -1,6 +1,7 @@
 #include "pipeline/memory.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fluidymation/synthesis/lanes.h"
 #include "fluidymation/synthesis/pyramid.h"
@@ -27,6 +28,14 @@ constexpr double kPackedMaskBytes = 1.0 / 8.0;
 
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
 
+/// While the flow of a sequence is computed: the distances of all frames that the temporal
+/// smoothing sees from one, and the guides of that one.
+double flowBytes(Size size, int frames, float sigmaFrames) {
+  constexpr double kReachSigmas = 3.0;
+  const double window = 2.0 * std::ceil(kReachSigmas * static_cast<double>(sigmaFrames)) + 1.0;
+  return pixels(size) * (kReadingBytes + sizeof(float) * std::min<double>(frames, window));
+}
+
 /// Maps of the finest level's first look and of the search, which leaves the finest level out
 /// unless it is the only one. They do not exist at the same time.
 double occurrenceBytes(const RunSize& run) {
@@ -42,7 +51,9 @@ std::int64_t bytesOfRun(const RunSize& run) {
                                   kCandidateGrowthBytes + occurrenceBytes(run);
   const double exemplar = pixels(run.exemplar) * run.exemplarFrames * perExemplarPixel;
   const double frame =
-      std::max(pixels(run.exemplar) * kReadingBytes, pixels(run.target) * kPaintingBytes);
+      std::max({pixels(run.exemplar) * kReadingBytes, pixels(run.target) * kPaintingBytes,
+                flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
+                flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames)});
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;
   return static_cast<std::int64_t>(exemplar + frame + masks);
 }

@@ -17,6 +17,7 @@ struct RunSize {
   Size target;  ///< as scaled
   int targetFrames = 0;
   int threads = 1;
+  float timeBlurSigmaFrames = 0.0F;
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

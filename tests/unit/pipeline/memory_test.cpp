@@ -11,13 +11,13 @@ namespace {
 
 TEST(Memory, ATypicalRunNeedsLittle) {
   // The run of docs/performance.md: 344 MiB were measured.
-  const std::int64_t bytes = bytesOfRun({{400, 222}, 24, {1000, 800}, 8, 1});
+  const std::int64_t bytes = bytesOfRun({{400, 222}, 24, {1000, 800}, 8, 1, 2.0F});
   EXPECT_GT(bytes, 300 << 20);
   EXPECT_LT(bytes, 500 << 20);
 }
 
 TEST(Memory, GrowsWithEverySize) {
-  const RunSize run{{400, 300}, 20, {500, 400}, 30, 2};
+  const RunSize run{{400, 300}, 20, {500, 400}, 300, 2, 2.0F};
   const std::int64_t bytes = bytesOfRun(run);
   const auto changed = [&](auto change) {
     RunSize other = run;
@@ -27,8 +27,9 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.exemplar = {401, 300}; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.exemplarFrames = 21; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.target = {500, 401}; }), bytes);
-  EXPECT_GT(changed([](RunSize& r) { r.targetFrames = 60; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.targetFrames = 600; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.timeBlurSigmaFrames = 50.0F; }), bytes);
 }
 
 TEST(Memory, IsSaidInGibibytesRoundedUp) {
