@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <deque>
 #include <utility>
 
-#include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
 #include "fluidymation/guides/distance_field.h"
 #include "fluidymation/guides/motion.h"
-#include "fluidymation/guides/temporal_smoothing.h"
+#include "shape_change.h"
 
 namespace fluidymation {
 namespace {
@@ -43,67 +41,6 @@ bool hasEdge(const Mask& mask) {
   const std::size_t inside = countInside(mask);
   return inside != 0 && inside != mask.pixelCount();
 }
-
-/// What the shapes of a run of frames, all of which have an edge, say about their movement. Asked
-/// for in the order of the frames; only the distance fields that the temporal kernel reaches exist
-/// at a time.
-class ShapeChanges {
- public:
-  using MaskOf = std::function<Mask(int frame)>;  ///< frames count from the beginning of the run
-
-  ShapeChanges(int frameCount, float sigmaFrames, MaskOf maskOf)
-      : frameCount_(frameCount), sigmaFrames_(sigmaFrames), maskOf_(std::move(maskOf)) {}
-
-  /// The change that leads to `frame`; the first frame moves as it does towards the second. Valid
-  /// until the next call.
-  ShapeChange at(int frame) {
-    const TemporalWeights window = temporalWeights(frame, frameCount_, sigmaFrames_);
-    const TemporalWeights steps = stepWeights(std::max(frame, 1), frameCount_, sigmaFrames_);
-    provide(std::min(window.firstFrame, steps.firstFrame),
-            std::max(endOf(window), endOf(steps) + 1));
-    smooth_ = average(window);
-    ShapeChange change{field(frame), smooth_, {}, steps.weights};
-    for (int i = steps.firstFrame; i <= endOf(steps); ++i) change.fields.push_back(&field(i));
-    return change;
-  }
-
- private:
-  static int endOf(const TemporalWeights& window) {
-    return window.firstFrame + static_cast<int>(window.weights.size());
-  }
-
-  [[nodiscard]] const Image<float>& field(int frame) const {
-    return fields_[static_cast<std::size_t>(frame - firstField_)];
-  }
-
-  void provide(int first, int end) {
-    for (; firstField_ < first; ++firstField_) fields_.pop_front();
-    while (firstField_ + static_cast<int>(fields_.size()) < end) {
-      const int frame = firstField_ + static_cast<int>(fields_.size());
-      fields_.push_back(motionDistance(signedDistance(maskOf_(frame))));
-    }
-  }
-
-  [[nodiscard]] Image<float> average(const TemporalWeights& window) const {
-    Image<float> smooth(fields_.front().size());
-    forEachRow(smooth.height(), [&](int y) {
-      float* out = smooth.row(y);
-      for (std::size_t i = 0; i < window.weights.size(); ++i) {
-        const float weight = window.weights[i];
-        const float* in = field(window.firstFrame + static_cast<int>(i)).row(y);
-        for (int x = 0; x < smooth.width(); ++x) out[x] += weight * in[x];
-      }
-    });
-    return smooth;
-  }
-
-  int frameCount_;
-  float sigmaFrames_;
-  MaskOf maskOf_;
-  int firstField_ = 0;
-  std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
-  Image<float> smooth_;
-};
 
 }  // namespace
 
