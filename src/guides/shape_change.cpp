@@ -23,8 +23,9 @@ ShapeChange ShapeChanges::at(int frame) {
   const TemporalWeights window = temporalWeights(frame, frameCount_, sigmaFrames_);
   const TemporalWeights steps = stepWeights(std::max(frame, 1), frameCount_, sigmaFrames_);
   provide(std::min(window.firstFrame, steps.firstFrame), std::max(endOf(window), endOf(steps) + 1));
+  depth_ = continuousDistance(signedDistance(maskOf_(frame)));
   smooth_ = average(window);
-  ShapeChange change{field(frame), smooth_, {}, steps.weights};
+  ShapeChange change{depth_, smooth_, {}, steps.weights};
   for (int i = steps.firstFrame; i <= endOf(steps); ++i) change.fields.push_back(&field(i));
   return change;
 }

@@ -11,7 +11,7 @@ namespace fluidymation {
 
 /// What the shapes of a run of frames, all of which have an edge, say about their movement. Asked
 /// for in the order of the frames; only the distance fields that the temporal kernel reaches exist
-/// at a time.
+/// at a time. A mask is asked for twice: for its field, and for its depth when its turn comes.
 class ShapeChanges {
  public:
   using MaskOf = std::function<Mask(int frame)>;  ///< frames count from the beginning of the run
@@ -34,6 +34,7 @@ class ShapeChanges {
   MaskOf maskOf_;
   int firstField_ = 0;
   std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
+  Image<float> depth_;
   Image<float> smooth_;
 };
 

@@ -31,10 +31,10 @@ struct MotionField {
   SolveReport report;
 };
 
-/// What the shapes of neighbouring frames say about one frame's movement. All fields are
-/// `motionDistance` of one size.
+/// What the shapes of neighbouring frames say about one frame's movement. All images have one size;
+/// fields are `motionDistance`.
 struct ShapeChange {
-  const Image<float>& depth;   ///< of the frame itself
+  const Image<float>& depth;   ///< `continuousDistance` of the frame itself, which no blur lowers
   const Image<float>& smooth;  ///< of the frame itself, smoothed over time: its gradient is used
   std::vector<const Image<float>*> fields;  ///< of consecutive frames, earliest first
   std::vector<float> stepWeights;           ///< of the steps between them; one fewer

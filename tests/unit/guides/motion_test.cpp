@@ -94,12 +94,16 @@ TEST(MotionField, IsZeroWhereTheGradientVanishes) {
 
 TEST(MotionField, NoPartMovesFurtherThanItIsThick) {
   // Two squares, 5 and 11 px wide: distances up to 2.5 and 5.5. Both have come from far away.
-  const Mask mask = test::maskOf({60, 30}, [](int x, int y) {
+  const Size size{120, 30};
+  const auto inSquares = [](int x, int y) {
     return (x >= 5 && x < 10 && y >= 5 && y < 10) || (x >= 30 && x < 41 && y >= 8 && y < 19);
-  });
-  const Image<float> here = continuousDistance(signedDistance(mask));
-  const Image<float> before(mask.size(), -90.0F);
-  const Image<Vec2> flow = motionField(mask, {here, here, {&before, &here}, {1.0F}}).flow;
+  };
+  std::vector<Mask> masks;
+  masks.push_back(test::maskOf(size, [](int x, int y) { return x == 119 && y == 29; }));
+  masks.push_back(test::maskOf(size, inSquares));
+  const std::vector<GuideFrame> frames = test::guidesOf(masks, 0.0F);
+  const Mask& mask = frames[1].mask;
+  const Image<Vec2>& flow = frames[1].flow;
   float left = 0.0F;
   float right = 0.0F;
   for (int y = 0; y < mask.height(); ++y) {
