@@ -67,4 +67,8 @@ Image<Lab> toLab(const Image<Rgb>& image) {
   return lab;
 }
 
+std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+
 }  // namespace fluidymation

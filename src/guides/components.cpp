@@ -1,5 +1,6 @@
 #include "components.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 

@@ -1,10 +1,13 @@
 #include "fluidymation/guides/diffusion.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "fluidymation/core/index.h"
 #include "fluidymation/core/parallel.h"
 #include "region_graph.h"
 
@@ -37,8 +40,6 @@ Vec2 toFloat(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)
 constexpr int kMaxCycles = 100;
 constexpr int kSmoothings = 2;          // Gauss-Seidel sweeps after each correction
 constexpr int kUnknownsAtATime = 8192;  // a piece of work; also one partial sum
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// body(i) for i in [begin, end), in pieces; a single piece does not bother the other threads.
 template <typename Body>

@@ -1,5 +1,6 @@
 #include "fluidymation/guides/distance_field.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <vector>

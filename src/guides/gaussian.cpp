@@ -1,6 +1,8 @@
 #include "fluidymation/guides/gaussian.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "fluidymation/core/parallel.h"
 
@@ -8,7 +10,7 @@ namespace fluidymation {
 
 std::vector<float> gaussianKernel(float sigma) {
   if (!(sigma > 0.0F)) return {1.0F};
-  const int radius = static_cast<int>(std::ceil(3.0F * sigma));
+  const int radius = gaussianReach(sigma);
   std::vector<double> weights;
   double sum = 0.0;
   for (int offset = 0; offset <= radius; ++offset) {

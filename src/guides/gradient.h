@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "fluidymation/core/image.h"
 
 namespace fluidymation {

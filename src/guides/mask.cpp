@@ -1,5 +1,9 @@
 #include "fluidymation/guides/mask.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
 #include "fluidymation/guides/gaussian.h"
 
 namespace fluidymation {
@@ -33,7 +37,7 @@ Box boundingBox(const Mask& mask, int margin) {
 }  // namespace
 
 Mask smoothMask(const Mask& mask, const MaskOptions& options) {
-  const int reach = static_cast<int>(gaussianKernel(options.blurSigmaPx).size()) - 1;
+  const int reach = gaussianReach(options.blurSigmaPx);
   if (reach == 0) return mask.clone();
 
   // Nothing happens further away from the mask than the kernel reaches. Where the box ends within

@@ -1,16 +1,19 @@
 #include "region_graph.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <utility>
+#include <vector>
+
+#include "fluidymation/core/index.h"
 
 namespace fluidymation {
 namespace {
 
 constexpr std::array<std::pair<int, int>, 4> kNeighbours = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool isRed(int blockX, int blockY) { return ((blockX + blockY) & 1) == 0; }
 

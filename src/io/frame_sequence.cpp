@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/text.h"
 #include "fluidymation/io/png.h"
 
 namespace fluidymation {
@@ -123,10 +124,6 @@ class FrameList {
   return holes;
 }
 
-[[nodiscard]] std::string dimensions(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 }  // namespace
 
 FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
@@ -178,8 +175,8 @@ Size commonSize(const FrameFiles& files) {
     const Size size = readPngSize(files.paths[i]);
     if (i == 0) first = size;
     if (size == first) continue;
-    throw Error(files.paths[i] + ": size " + dimensions(size) + ", but " + files.paths.front() +
-                " is " + dimensions(first) + "; all frames of a sequence must have one size");
+    throw Error(files.paths[i] + ": size " + sizeText(size) + ", but " + files.paths.front() +
+                " is " + sizeText(first) + "; all frames of a sequence must have one size");
   }
   return first;
 }
@@ -188,8 +185,8 @@ void requireMasksOfSameSize(const FrameFiles& exemplar, const FrameFiles& masks)
   const Size exemplarSize = readPngSize(exemplar.paths.front());
   const Size maskSize = readPngSize(masks.paths.front());
   if (maskSize == exemplarSize) return;
-  throw Error(masks.paths.front() + ": size " + dimensions(maskSize) + ", but " +
-              exemplar.paths.front() + " is " + dimensions(exemplarSize) +
+  throw Error(masks.paths.front() + ": size " + sizeText(maskSize) + ", but " +
+              exemplar.paths.front() + " is " + sizeText(exemplarSize) +
               "; an exemplar and its masks must agree");
 }
 

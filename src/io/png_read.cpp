@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/text.h"
 #include "io/libpng_calls.h"
 
 namespace fluidymation {
@@ -24,10 +25,6 @@ namespace {
 
 [[noreturn]] void failDamaged(const std::string& path, const std::string& reason) {
   throw Error(path + ": damaged PNG file (" + reason + ")");
-}
-
-[[nodiscard]] std::string dimensions(std::int64_t width, std::int64_t height) {
-  return std::to_string(width) + "x" + std::to_string(height);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -112,9 +109,9 @@ struct Header {
   const std::int64_t width = bigEndian(bytes.data() + 16);
   const std::int64_t height = bigEndian(bytes.data() + 20);
   if (width < 1 || height < 1)
-    failDamaged(path, "it claims " + dimensions(width, height) + " pixels");
+    failDamaged(path, "it claims " + sizeText(width, height) + " pixels");
   if (width > kMaxImageSidePx || height > kMaxImageSidePx || width * height > kMaxImagePixels) {
-    throw Error(path + ": claims " + dimensions(width, height) + " pixels; wanted at most " +
+    throw Error(path + ": claims " + sizeText(width, height) + " pixels; wanted at most " +
                 std::to_string(kMaxImageSidePx) + " a side and " +
                 std::to_string(kMaxImagePixels / 1'000'000) + " million in all");
   }
@@ -136,7 +133,7 @@ void checkPlausible(const Header& header, std::int64_t byteCount, const std::str
   const std::int64_t rowBytes = (header.size.width * channels * header.bitDepth + 7) / 8;
   if (rowBytes * header.size.height / kDeflateLimit <= byteCount) return;
   failDamaged(path, "its " + std::to_string(byteCount) + " bytes cannot hold the " +
-                        dimensions(header.size.width, header.size.height) + " pixels it claims");
+                        sizeText(header.size.width, header.size.height) + " pixels it claims");
 }
 
 void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
@@ -287,8 +284,8 @@ Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
   // have libpng's length, so nothing else than the size that was checked may pass.
   for (const Size size : {header.size, expected.value_or(header.size)}) {
     if (found == size) continue;
-    throw Error(path + ": changed while being read (" + dimensions(size.width, size.height) +
-                " pixels at first, then " + dimensions(found.width, found.height) + ")");
+    throw Error(path + ": changed while being read (" + sizeText(size.width, size.height) +
+                " pixels at first, then " + sizeText(found.width, found.height) + ")");
   }
 
   // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.

@@ -1,9 +1,12 @@
 #include "pipeline/guide_dump.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <string>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/flow_file.h"
@@ -13,10 +16,6 @@
 
 namespace fluidymation {
 namespace {
-
-std::uint8_t toByte(float value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
-}
 
 Image<float> lengths(const Image<Vec2>& vectors) {
   Image<float> result(vectors.size());
@@ -63,7 +62,6 @@ Rgba8 hueColor(float hue, float intensity) {
 /// Angle as hue (right is red, down is yellow-green, left is cyan, up is violet), magnitude as
 /// intensity, relative to the frame's fastest pixel (thesis figure 3.3b).
 Image<Rgba8> flowPicture(const Image<Vec2>& flow) {
-  constexpr float kTwoPi = 6.2831853F;
   const Image<float> speed = lengths(flow);
   const float scale = normalization(speed);
   Image<Rgba8> picture(flow.size());

@@ -5,6 +5,7 @@
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/resize.h"
+#include "fluidymation/core/text.h"
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
 
@@ -13,10 +14,6 @@ namespace {
 
 /// A mask image is inside from half the range up.
 constexpr float kInsideCoverage = 0.5F;
-
-std::string text(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
 
 InputSequence openSequence(const std::string& path, const SequenceOptions& sequence,
                            const std::string& optionName, const Observer& observer) {
@@ -27,8 +24,8 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   input.scaled = scaledSize(input.stored, sequence.scale);
   if (input.scaled.width > kMaxImageSidePx || input.scaled.height > kMaxImageSidePx ||
       static_cast<std::int64_t>(input.scaled.width) * input.scaled.height > kMaxImagePixels) {
-    throw UsageError(optionName + ": frames scaled to " + text(input.scaled) + "; wanted at most " +
-                     std::to_string(kMaxImageSidePx) + " px a side and " +
+    throw UsageError(optionName + ": frames scaled to " + sizeText(input.scaled) +
+                     "; wanted at most " + std::to_string(kMaxImageSidePx) + " px a side and " +
                      std::to_string(kMaxImagePixels) + " px in all");
   }
   return input;
@@ -40,10 +37,10 @@ void requireMemory(const Options& options, const Inputs& inputs) {
   const std::int64_t bytes = bytesOfRun(run);
   if (bytes <= kMaxRunBytes) return;
   throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
-                   ": " + std::to_string(run.exemplarFrames) + " frames of " + text(run.exemplar) +
-                   " and " + std::to_string(run.targetFrames) + " of " + text(run.target) +
-                   " need about " + gibibytes(bytes) + " of memory; wanted at most " +
-                   gibibytes(kMaxRunBytes) +
+                   ": " + std::to_string(run.exemplarFrames) + " frames of " +
+                   sizeText(run.exemplar) + " and " + std::to_string(run.targetFrames) + " of " +
+                   sizeText(run.target) + " need about " + gibibytes(bytes) +
+                   " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
                    " (--src-frames, --src-scale, --target-scale, --threads)");
 }
 

@@ -1,11 +1,10 @@
 #include "pipeline/nnf_dump.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
@@ -16,7 +15,7 @@ namespace {
 
 std::uint8_t share(float value, int extent) {
   const float relative = extent > 1 ? value / static_cast<float>(extent - 1) : 0.0F;
-  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(relative, 0.0F, 1.0F)));
+  return toByte(relative);
 }
 
 }  // namespace

@@ -86,10 +86,6 @@ Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream&
   return exemplar;
 }
 
-std::uint8_t eightBit(float channel) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F));
-}
-
 /// Straight alpha: painted and opaque inside the mask, fully transparent elsewhere.
 Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
   Image<Rgba8> output(picture.size());
@@ -97,7 +93,7 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
     for (int x = 0; x < picture.width(); ++x) {
       if (mask(x, y) == 0) continue;
       const Rgb color = toRgb(picture(x, y));
-      output(x, y) = {eightBit(color.r), eightBit(color.g), eightBit(color.b), 255};
+      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), 255};
     }
   });
   return output;

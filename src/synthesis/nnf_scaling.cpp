@@ -13,7 +13,6 @@ namespace {
 
 /// Bins round the circle in which angles count as equal when matches are counted.
 constexpr int kAngleBins = 32;
-constexpr float kTwoPi = 6.2831853F;
 
 /// What makes two matches of a block equal, and the order of the members.
 struct Ballot {

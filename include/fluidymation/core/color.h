@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "fluidymation/core/image.h"
 
 namespace fluidymation {
@@ -27,5 +29,8 @@ struct Lab {
 [[nodiscard]] Rgb toRgb(Lab color);
 
 [[nodiscard]] Image<Lab> toLab(const Image<Rgb>& image);
+
+/// A value in [0, 1] as the nearest of 0..255; what lies outside is clipped.
+[[nodiscard]] std::uint8_t toByte(float value);
 
 }  // namespace fluidymation

@@ -4,6 +4,8 @@
 
 namespace fluidymation {
 
+inline constexpr float kTwoPi = 6.2831853F;
+
 /// Width and height in pixels.
 struct Size {
   int width = 0;

@@ -49,5 +49,13 @@ TEST(Color, OutOfGamutIsClipped) {
   }
 }
 
+TEST(ToByte, RoundsToTheNearestAndClips) {
+  EXPECT_EQ(toByte(-0.1F), 0);
+  EXPECT_EQ(toByte(0.49F / 255.0F), 0);
+  EXPECT_EQ(toByte(0.51F / 255.0F), 1);
+  EXPECT_EQ(toByte(1.0F), 255);
+  EXPECT_EQ(toByte(1.7F), 255);
+}
+
 }  // namespace
 }  // namespace fluidymation

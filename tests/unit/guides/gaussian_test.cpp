@@ -17,7 +17,7 @@ Image<float> impulse(Size size, int x, int y) {
 TEST(Gaussian, KernelSumsToOneAndReachesThreeSigma) {
   for (const float sigma : {0.3F, 1.0F, 2.0F, 8.0F}) {
     const std::vector<float> kernel = gaussianKernel(sigma);
-    EXPECT_EQ(kernel.size(), static_cast<std::size_t>(std::ceil(3.0F * sigma)) + 1) << sigma;
+    EXPECT_EQ(kernel.size(), static_cast<std::size_t>(gaussianReach(sigma)) + 1) << sigma;
     const double sides = std::accumulate(kernel.begin() + 1, kernel.end(), 0.0);
     EXPECT_NEAR(static_cast<double>(kernel[0]) + 2.0 * sides, 1.0, 1e-6) << sigma;
     for (std::size_t i = 1; i < kernel.size(); ++i) EXPECT_LT(kernel[i], kernel[i - 1]);
@@ -59,6 +59,13 @@ TEST(Gaussian, TheEdgeRepeats) {
 TEST(Gaussian, SigmaZeroCopies) {
   const Image<float> image = impulse({5, 4}, 2, 1);
   EXPECT_TRUE(test::nearEverywhere(image, gaussianBlur(image, 0.0F), 0.0F));
+}
+
+TEST(GaussianReach, IsThreeSigmaRoundedUp) {
+  EXPECT_EQ(gaussianReach(0.0F), 0);
+  EXPECT_EQ(gaussianReach(0.3F), 1);
+  EXPECT_EQ(gaussianReach(2.0F), 6);
+  EXPECT_EQ(gaussianReach(2.1F), 7);
 }
 
 }  // namespace
