@@ -32,7 +32,7 @@ bool hasAnyMatch(const NearestNeighborField& nnf) {
 
 Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options)
     : exemplar_(exemplar), options_(options) {
-  for (int l = 0; l < exemplar.levelCount(); ++l) {
+  for (int l = finestSearched(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
 }
@@ -52,8 +52,7 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   if (countInside(frame.mask) > 0) {
     for (int l = coarsest; l >= 0; --l) {
       TargetLevel target(guides[static_cast<std::size_t>(l)], options_.borderWidthPx);
-      // The finest level is only upscaled and voted (§4.4.3), unless it is the only one.
-      if (l == 0 && coarsest > 0) {
+      if (l < finestSearched()) {
         nnf = upscale(nnf, target.segment);
         picture = vote(exemplar_.level(l), target.segment, nnf).color;
       } else {
@@ -71,8 +70,9 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                                                  const NearestNeighborField& shifted, bool fresh,
                                                  TargetLevel& target) const {
   const ExemplarLevel& exemplar = exemplar_.level(level);
-  const SearchProblem problem{exemplar, expectedUse_[static_cast<std::size_t>(level)], target,
-                              options_, Place{frame_, level}};
+  const SearchProblem problem{exemplar,
+                              expectedUse_[static_cast<std::size_t>(level - finestSearched())],
+                              target, options_, Place{frame_, level}};
   const int coarsest = exemplar_.levelCount() - 1;
   const int searchIterations = valueAt(options_.patchmatchIterations, level, coarsest);
   const DistanceWeights weights{1.0F, options_.distWeight, options_.flowWeight,

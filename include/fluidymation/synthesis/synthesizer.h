@@ -34,9 +34,12 @@ class Synthesizer {
                                                     const NearestNeighborField& shifted, bool fresh,
                                                     TargetLevel& target) const;
 
+  /// The finest level is only upscaled and voted (§4.4.3), unless it is the only one.
+  [[nodiscard]] int finestSearched() const { return exemplar_.levelCount() > 1 ? 1 : 0; }
+
   const Exemplar& exemplar_;
   SynthesisOptions options_;
-  std::vector<ExpectedUse> expectedUse_;  ///< per level
+  std::vector<ExpectedUse> expectedUse_;  ///< from `finestSearched` on
   NearestNeighborField nnf_;
   int frame_ = 0;
 };
