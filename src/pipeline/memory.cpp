@@ -1,8 +1,8 @@
 #include "pipeline/memory.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "fluidymation/guides/gaussian.h"
 #include "fluidymation/synthesis/lanes.h"
 #include "fluidymation/synthesis/pyramid.h"
 
@@ -11,51 +11,67 @@ namespace {
 
 // Bytes per pixel and frame of the exemplar.
 constexpr double kLevelBytes = sizeof(Lanes) + sizeof(Segment) + sizeof(std::uint32_t);
-constexpr double kPyramidFactor = 4.0 / 3.0;   // 1 + 1/4 + 1/16 + ...
-constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-, or while reading the stream's own
-constexpr double kFilteredMapBytes = 8.0;      // an occurrence map with its filters' buffer
-constexpr double kMapBytes = 4.0;              // one without: the changes of a thread's tile
+constexpr double kPyramidFactor = 4.0 / 3.0;  // 1 + 1/4 + 1/16 + ...
+constexpr double kAccumulatedBytes = 16.0;    // acc+ and acc-, or while reading the stream's own
+constexpr double kUnreturnedBytes = 12.0;  // of the stream's own, too scattered for acc+ and acc-
+constexpr double kFilteredMapBytes = 8.0;  // an occurrence map with its filters' buffer
+constexpr double kMapBytes = 4.0;          // one without: the changes of a thread's tile
 constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twice for a moment
 
-// Bytes per pixel of one frame at work. For the exemplar: the picture as RGBA, as RGB and scaled,
-// its guides and their levels. For the target: guides, levels, picture and the matches of this
-// frame and the last one. Measured peaks of whole runs on 2000x1500 px, two threads: 233 bytes per
-// target pixel besides what its masks keep; 206, 261 and 321 per exemplar pixel with 1, 2 and 3
-// frames, for which this gives 205, 282 and 359.
+// Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and
+// directions of this frame and the last one, and the solver that spreads flow or normals over the
+// inside, which at worst is everything. Then for the exemplar the picture as RGBA, as RGB and
+// scaled, its guides and their levels; for the target guides, levels, picture and the matches of
+// this frame and the last one.
+//
+// Measured: the solver takes 204 to 208 bytes per pixel of a nearly full mask, at four sizes.
+// Whole runs with such masks peak at 0.80 to 0.95 of what this gives: exemplars of 2000x1500 px and
+// 1 or 3 frames, 600x450 and 30, 300x225 and 50, targets of 1000x750 and 600x450.
+constexpr double kGuideBytes = 72.0;
+constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
 constexpr double kPaintingBytes = 256.0;
 constexpr double kPackedMaskBytes = 1.0 / 8.0;
 
+// The program with its libraries, and what does not grow with the pictures.
+constexpr double kProgramBytes = 16.0 * (1 << 20);
+
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
 
-/// While the flow of a sequence is computed: the distances of all frames that the temporal
-/// smoothing sees from one, and the guides of that one.
+/// Before anything is painted: the flow of a sequence, with the distances of all frames that the
+/// temporal smoothing sees from one.
 double flowBytes(Size size, int frames, float sigmaFrames) {
-  constexpr double kReachSigmas = 3.0;
-  const double window = 2.0 * std::ceil(kReachSigmas * static_cast<double>(sigmaFrames)) + 1.0;
-  return pixels(size) * (kReadingBytes + sizeof(float) * std::min<double>(frames, window));
+  const double window = 2.0 * gaussianReach(sigmaFrames) + 1.0;
+  return pixels(size) *
+         (kGuideBytes + kSolverBytes + sizeof(float) * std::min<double>(frames, window));
 }
 
-/// Maps of the finest level's first look and of the search, which leaves the finest level out
-/// unless it is the only one. They do not exist at the same time.
+/// The maps of the search, which leaves the finest level out unless it is the only one.
 double occurrenceBytes(const RunSize& run) {
-  const double search = kFilteredMapBytes + kMapBytes * run.threads;
   const double share = coarsestLevel(run.exemplar, run.target) > 0 ? 0.25 : 1.0;
-  return std::max(kFilteredMapBytes, share * search);
+  return share * (kFilteredMapBytes + kMapBytes * run.threads);
 }
 
 }  // namespace
 
 std::int64_t bytesOfRun(const RunSize& run) {
-  const double perExemplarPixel = kPyramidFactor * kLevelBytes + kAccumulatedBytes +
-                                  kCandidateGrowthBytes + occurrenceBytes(run);
-  const double exemplar = pixels(run.exemplar) * run.exemplarFrames * perExemplarPixel;
-  const double frame =
-      std::max({pixels(run.exemplar) * kReadingBytes, pixels(run.target) * kPaintingBytes,
-                flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
-                flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames)});
+  const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
+  const double stream = exemplarVolume * (kPackedMaskBytes + kAccumulatedBytes);
+  const double flow =
+      stream + std::max(flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
+                        flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames));
+
+  const double exemplar =
+      exemplarVolume * (kPyramidFactor * kLevelBytes + kPackedMaskBytes + kAccumulatedBytes +
+                        kUnreturnedBytes + kCandidateGrowthBytes);
+  constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
+  const double reading = exemplar + pixels(run.exemplar) * std::max(kReadingBytes, kGuidesAtWork);
+  const double painting = exemplar + std::max(pixels(run.target) * kGuidesAtWork,
+                                              pixels(run.target) * kPaintingBytes +
+                                                  exemplarVolume * occurrenceBytes(run));
+
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;
-  return static_cast<std::int64_t>(exemplar + frame + masks);
+  return static_cast<std::int64_t>(kProgramBytes + masks + std::max({flow, reading, painting}));
 }
 
 std::string gibibytes(std::int64_t bytes) {

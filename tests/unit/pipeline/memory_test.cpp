@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+
 #include "fluidymation/core/error.h"
 #include "pipeline/inputs.h"
+#include "support/shapes.h"
 #include "support/small_scene.h"
 
 namespace fluidymation {
@@ -31,6 +35,53 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.timeBlurSigmaFrames = 50.0F; }), bytes);
 }
+
+/// The image without its outermost pixels: nearly everything is inside, and has to be solved for.
+Mask nearlyFull(Size size) {
+  return test::maskOf(size, [size](int x, int y) {
+    return x > 0 && y > 0 && x + 1 < size.width && y + 1 < size.height;
+  });
+}
+
+/// What a run with nearly full masks really takes, on the exemplar's side or the target's.
+struct FullMaskRun {
+  const char* name;
+  Size source;
+  Size target;
+  int frames;
+};
+
+class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
+
+TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
+  const FullMaskRun& run = GetParam();
+  const test::SmallScene scene(0);
+  for (int number = 1; number <= run.frames; ++number) {
+    scene.write(test::SmallScene::frame("src", number),
+                test::colorPng(test::texturedDisc(run.source, 20.0F, 5)));
+    scene.write(test::SmallScene::frame("mask", number), test::maskPng(nearlyFull(run.source)));
+    scene.write(test::SmallScene::frame("target", number), test::maskPng(nearlyFull(run.target)));
+  }
+  const test::ProcessResult result = scene.paint({{"--blur-sigma", "0"},
+                                                  {"--opt-iterations", "0"},
+                                                  {"--patchmatch-iterations", "1"},
+                                                  {"--quiet", ""}});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const std::int64_t inside = static_cast<std::int64_t>(countInside(nearlyFull(run.target)));
+  const std::int64_t estimate =
+      bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F}) +
+      kBytesPerMaskPixel * inside * run.frames;
+  EXPECT_LE(result.peakBytes, estimate)
+      << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
+  EXPECT_GT(result.peakBytes, estimate / 2) << "an estimate that refuses what would fit";
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, MemoryOfFullMasks,
+                         ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
+                                           FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
+                                           FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+                                           FullMaskRun{"target", {40, 40}, {600, 500}, 2}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");
