@@ -9,7 +9,7 @@ namespace fluidymation {
 namespace {
 
 /// Outward normals of the border, spread over the inside. Not of unit length.
-Image<Vec2> extendedNormals(const Mask& mask, const Image<float>& distance) {
+Image<Vec2> extendedNormals(const Mask& mask, const Image<float>& distance, SolveReport& report) {
   const Mask border = borderPixels(mask);
   const Image<float> smooth = motionDistance(distance);
   Image<Vec2> normals(mask.size());
@@ -21,7 +21,7 @@ Image<Vec2> extendedNormals(const Mask& mask, const Image<float>& distance) {
       if (steepness >= kFlatGradient) normals(x, y) = (-1.0F / steepness) * gradient;
     }
   });
-  diffuse(mask, border, normals);
+  report = diffuse(mask, border, normals);
   return normals;
 }
 
@@ -34,9 +34,11 @@ Vec2 unit(Vec2 v) {
 
 }  // namespace
 
-Image<Vec2> flowDirection(const Mask& mask, const Image<Vec2>& flow, const Image<float>& distance,
-                          const Image<Vec2>& previous) {
-  Image<Vec2> direction(mask.size());
+DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
+                             const Image<float>& distance, const Image<Vec2>& previous) {
+  DirectionField result;
+  result.direction = Image<Vec2>(mask.size());
+  Image<Vec2>& direction = result.direction;
   Image<Vec2> normals;  // wanted in few frames only: made when the first pixel asks for them
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) {
@@ -47,12 +49,12 @@ Image<Vec2> flowDirection(const Mask& mask, const Image<Vec2>& flow, const Image
       } else if (last.x != 0.0F || last.y != 0.0F) {
         direction(x, y) = last;
       } else {
-        if (normals.empty()) normals = extendedNormals(mask, distance);
+        if (normals.empty()) normals = extendedNormals(mask, distance, result.report);
         direction(x, y) = unit(normals(x, y));
       }
     }
   }
-  return direction;
+  return result;
 }
 
 }  // namespace fluidymation

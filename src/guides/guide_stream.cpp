@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "fluidymation/core/index.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
 #include "fluidymation/guides/distance_field.h"
@@ -12,8 +13,6 @@
 
 namespace fluidymation {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The values inside the mask, in row order.
 std::vector<Vec2> gather(const Mask& mask, const Image<Vec2>& image) {
@@ -110,11 +109,12 @@ GuideFrame GuideStream::next() {
   guides.distance = signedDistance(guides.mask);
   guides.flow = scatter(guides.mask, stored.flow);
   guides.accBackward = scatter(guides.mask, stored.accBackward);
-  guides.diffusion = stored.diffusion;
   stored.flow = {};  // given away, and not asked for again
   stored.accBackward = {};
 
-  guides.direction = flowDirection(guides.mask, guides.flow, guides.distance, direction_);
+  DirectionField direction = flowDirection(guides.mask, guides.flow, guides.distance, direction_);
+  guides.direction = std::move(direction.direction);
+  guides.diffusion = worse(stored.diffusion, direction.report);
   guides.accForward = nextFrame_ == 0 ? Image<Vec2>(guides.mask.size())
                                       : accumulateForward(accForward_, guides.flow, guides.mask);
   direction_ = guides.direction.clone();

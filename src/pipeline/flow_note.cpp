@@ -8,8 +8,8 @@ std::optional<std::string> flowNote(const std::string& option, int frameNumber,
                                     const SolveReport& report) {
   if (report.converged) return std::nullopt;
   return option + ": frame " + std::to_string(frameNumber) +
-         ": the motion inside the shape still changed by " + numberText(report.lastChange) +
-         " px per frame after " + std::to_string(report.cycles) +
+         ": the motion inside the shape, or its direction, still changed by " +
+         numberText(report.lastChange) + " after " + std::to_string(report.cycles) +
          " cycles; it is painted as it stands";
 }
 

@@ -16,6 +16,12 @@ struct SolveReport {
   bool converged = true;
 };
 
+/// What to report of two solves: the one that did not settle, else the one that took longer.
+[[nodiscard]] inline SolveReport worse(const SolveReport& a, const SolveReport& b) {
+  if (a.converged != b.converged) return a.converged ? b : a;
+  return b.cycles > a.cycles ? b : a;
+}
+
 /// Spreads values of the border over the interior: solves laplace(u) = 0 on `region`, with
 /// u given where `isBorder` (Dirichlet) and no flux across the edge of the image or towards
 /// pixels outside the region (thesis §3.8).

@@ -14,7 +14,7 @@ struct GuideFrame {
   Image<Vec2> direction;    ///< unit direction of the flow, defined on the whole mask
   Image<Vec2> accForward;   ///< motion accumulated since the start; its length is ext+ (§3.5)
   Image<Vec2> accBackward;  ///< motion still to come; its length is ext- (§3.5)
-  SolveReport diffusion;    ///< what the flow's solver did
+  SolveReport diffusion;    ///< what the solver did, for the flow or its direction: the worse
 };
 
 }  // namespace fluidymation

@@ -306,5 +306,16 @@ TEST(Diffusion, TheNumberOfThreadsDoesNotShow) {
   EXPECT_EQ(std::memcmp(results[0].data(), results[2].data(), bytes), 0);
 }
 
+TEST(SolveReports, OfTwoTheOneThatDidNotSettleIsTold) {
+  const SolveReport settled{40, 1e-4F, true};
+  const SolveReport quick{3, 1e-5F, true};
+  const SolveReport unsettled{100, 0.5F, false};
+  EXPECT_EQ(worse(settled, unsettled).cycles, 100);
+  EXPECT_EQ(worse(unsettled, settled).cycles, 100);
+  EXPECT_FALSE(worse(settled, unsettled).converged);
+  EXPECT_EQ(worse(quick, settled).cycles, 40);
+  EXPECT_EQ(worse(settled, quick).cycles, 40);
+}
+
 }  // namespace
 }  // namespace fluidymation

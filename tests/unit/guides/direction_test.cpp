@@ -16,7 +16,8 @@ TEST(Direction, MovingPixelsPointAlongTheirFlow) {
   const Mask mask = test::disc(kSize, kCentre, 15.0F);
   const Image<Vec2> direction =
       flowDirection(mask, Image<Vec2>(kSize, {0.3F, -0.4F}), signedDistance(mask),
-                    Image<Vec2>(kSize, {1.0F, 0.0F}));
+                    Image<Vec2>(kSize, {1.0F, 0.0F}))
+          .direction;
   EXPECT_NEAR(direction(20, 20).x, 0.6F, 1e-6F);
   EXPECT_NEAR(direction(20, 20).y, -0.8F, 1e-6F);
   EXPECT_EQ(length(direction(0, 0)), 0.0F);
@@ -26,7 +27,8 @@ TEST(Direction, StillPixelsKeepTheirLastOne) {
   const Mask mask = test::disc(kSize, kCentre, 15.0F);
   const Vec2 slow{0.0F, 0.9F * kStillPxPerFrame};
   const Image<Vec2> direction = flowDirection(mask, Image<Vec2>(kSize, slow), signedDistance(mask),
-                                              Image<Vec2>(kSize, {-0.6F, 0.8F}));
+                                              Image<Vec2>(kSize, {-0.6F, 0.8F}))
+                                    .direction;
   EXPECT_EQ(direction(24, 21).x, -0.6F);
   EXPECT_EQ(direction(24, 21).y, 0.8F);
 }
@@ -34,7 +36,7 @@ TEST(Direction, StillPixelsKeepTheirLastOne) {
 TEST(Direction, AStillMaskWithoutAPastPointsOutwards) {
   const Mask mask = test::disc(kSize, kCentre, 15.0F);
   const Image<Vec2> direction =
-      flowDirection(mask, Image<Vec2>(kSize), signedDistance(mask), Image<Vec2>());
+      flowDirection(mask, Image<Vec2>(kSize), signedDistance(mask), Image<Vec2>()).direction;
   float meanCosine = 0.0F;
   float count = 0.0F;
   for (int y = 0; y < kSize.height; ++y) {
@@ -51,6 +53,14 @@ TEST(Direction, AStillMaskWithoutAPastPointsOutwards) {
   EXPECT_GT(meanCosine / count, 0.99F);
 }
 
+TEST(Direction, ReportsHowTheNormalsWereSpread) {
+  const Mask mask = test::disc(kSize, kCentre, 15.0F);
+  const Image<float> distance = signedDistance(mask);
+  const Image<Vec2> moving(kSize, {1.0F, 0.0F});
+  EXPECT_EQ(flowDirection(mask, moving, distance, Image<Vec2>()).report.cycles, 0);
+  EXPECT_GT(flowDirection(mask, Image<Vec2>(kSize), distance, Image<Vec2>()).report.cycles, 0);
+}
+
 TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     for (const Mask& mask : {test::randomBlobs(kSize, seed), test::randomMask(kSize, seed, 60),
@@ -65,7 +75,8 @@ TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
           if (moving(x, y) != 0) flow(x, y) = {30.0F, 0.02F};
         }
       }
-      const Image<Vec2> direction = flowDirection(mask, flow, signedDistance(mask), previous);
+      const Image<Vec2> direction =
+          flowDirection(mask, flow, signedDistance(mask), previous).direction;
       for (int y = 0; y < mask.height(); ++y) {
         for (int x = 0; x < mask.width(); ++x) {
           ASSERT_NEAR(length(direction(x, y)), mask(x, y) != 0 ? 1.0F : 0.0F, 1e-5F);

@@ -101,6 +101,12 @@ TEST(GuideStream, OneFrameDoesNotMove) {
   EXPECT_EQ(largestLength(frames[0].accBackward), 0.0F);
 }
 
+TEST(GuideStream, ReportsTheWorseOfTheSolvesForFlowAndDirection) {
+  // One frame has no flow to solve for, but its direction is that of the spread normals
+  const std::vector<GuideFrame> still = test::guidesOf(growingDisc(1, 20.0F, 0.0F), 2.0F);
+  EXPECT_GT(still[0].diffusion.cycles, 0);
+}
+
 TEST(GuideStream, ExtentsCountFromTheFirstFrameAndToTheLast) {
   const std::vector<GuideFrame> frames = test::guidesOf(growingDisc(12, 15.0F, 1.0F), 2.0F);
   EXPECT_EQ(largestLength(frames.front().accForward), 0.0F);

@@ -10,9 +10,10 @@ TEST(FlowNote, NamesSequenceAndFrameOfAFlowThatDidNotSettle) {
   report.cycles = 100;
   report.lastChange = 0.25F;
   report.converged = false;
-  EXPECT_EQ(flowNote("--target-path t/%d.png", -7, report),
-            "--target-path t/%d.png: frame -7: the motion inside the shape still changed by 0.25 "
-            "px per frame after 100 cycles; it is painted as it stands");
+  EXPECT_EQ(
+      flowNote("--target-path t/%d.png", -7, report),
+      "--target-path t/%d.png: frame -7: the motion inside the shape, or its direction, still "
+      "changed by 0.25 after 100 cycles; it is painted as it stands");
 }
 
 TEST(FlowNote, SaysNothingOfASoundOne) {
