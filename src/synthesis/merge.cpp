@@ -1,5 +1,7 @@
 #include "fluidymation/synthesis/merge.h"
 
+#include <cassert>
+
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/vote.h"
 
@@ -8,6 +10,7 @@ namespace fluidymation {
 NearestNeighborField merge(const SearchProblem& problem, const DistanceWeights& weights,
                            const NearestNeighborField& upscaled,
                            const NearestNeighborField& downscaled, TargetLevel& target) {
+  assert(&problem.target == &target);  // the errors have to see the pictures written here
   target.picture = vote(problem.exemplar, target.segment, upscaled).color;
   const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled);
 

@@ -8,12 +8,12 @@
 
 namespace fluidymation {
 
-/// Weights of the terms of the patch distance; thesis §3.7.
+/// Weights of the terms of the patch distance; thesis §3.7. Colours alone, unless told otherwise.
 struct DistanceWeights {
-  float color;  ///< 0 in the very first search, which knows no picture yet (§4.2), else 1
-  float dist;
-  float flow;
-  float prev;
+  float color = 1.0F;  ///< 0 in the very first search, which knows no picture yet (§4.2), else 1
+  float dist = 0.0F;
+  float flow = 0.0F;
+  float prev = 0.0F;
 };
 
 /// The target's side of a patch comparison, gathered once per target pixel.
