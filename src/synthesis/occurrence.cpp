@@ -1,6 +1,7 @@
 #include "fluidymation/synthesis/occurrence.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "fluidymation/core/parallel.h"
 
@@ -48,6 +49,18 @@ void OccurrenceMap::add(const Match& match, int delta) {
       for (int k = firstFrame; k <= lastFrame; ++k) run[k] += weight;
     }
   }
+}
+
+std::int32_t OccurrenceMap::contribution(const Match& used, const Match& centre) const {
+  if (std::abs(used.frame - centre.frame) > radiusFrames_) return 0;
+  const auto clampedX = [&](const Match& m) {
+    return std::clamp(m.nearestX(), 0, size_.width - 1);
+  };
+  const auto clampedY = [&](const Match& m) {
+    return std::clamp(m.nearestY(), 0, size_.height - 1);
+  };
+  return sharedPositions(clampedX(centre), clampedX(used), size_.width) *
+         sharedPositions(clampedY(centre), clampedY(used), size_.height);
 }
 
 void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {

@@ -124,10 +124,12 @@ class TileSweep {
     distance_.gather(x, y, window_);
   }
 
-  /// lambda Omega / omega_best. The visited pixel's own match counts like any other: leaving it out
-  /// made no difference in any measure.
+  /// lambda Omega / omega_best, of the uses by all other pixels. What the visited pixel takes now
+  /// is in the counts, what it might take is not; charged for that, a match loses to any as good
+  /// that lies elsewhere, and small targets, whose omega_best is small, change for ever.
   [[nodiscard]] float uniformityTerm(const Match& match) const {
-    return scale_ * static_cast<float>(occurrence_.windowSum(match) + ownChanges_.windowSum(match));
+    const std::int32_t uses = occurrence_.windowSum(match) + ownChanges_.windowSum(match);
+    return scale_ * static_cast<float>(uses - occurrence_.contribution(start_, match));
   }
 
   void tryMatch(const Match& candidate) {

@@ -37,6 +37,10 @@ class OccurrenceMap {
   /// The same at the nearest pixel of a match, clamped to the image.
   [[nodiscard]] std::int32_t windowSum(const Match& match) const;
 
+  /// What one use at `used` adds to the window sum at `centre`, both at their nearest pixels: n^2
+  /// at its own place, less where either window is cut by the image, 0 where they do not meet.
+  [[nodiscard]] std::int32_t contribution(const Match& used, const Match& centre) const;
+
   /// Mean of Omega(window) over `pixels` (volume indices) if each of them were used once.
   [[nodiscard]] static double meanOfUniformUse(const ExemplarLevel& exemplar,
                                                const std::vector<std::uint32_t>& pixels,

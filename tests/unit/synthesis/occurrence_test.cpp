@@ -78,6 +78,33 @@ TEST(Occurrence, MapKeptUpToDateEqualsARebuiltOne) {
   }
 }
 
+TEST(Occurrence, TheContributionOfAMatchIsWhatTheMapLosesWithIt) {
+  NearestNeighborField nnf = randomMatches(40, 8);
+  OccurrenceMap with(kSize, kFrames, kRadius);
+  with.rebuild(nnf);
+  for (int i = 0; i < 40; ++i) {
+    const Match own = nnf(i, 0);
+    nnf(i, 0) = Match{};
+    OccurrenceMap without(kSize, kFrames, kRadius);
+    without.rebuild(nnf);
+    nnf(i, 0) = own;
+    for (int k = 0; k < kFrames; ++k) {
+      for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+          const Match there{static_cast<float>(x), static_cast<float>(y), k, Rotation{}};
+          ASSERT_EQ(with.contribution(own, there),
+                    with.windowSum(x, y, k) - without.windowSum(x, y, k))
+              << i << " at " << x << ' ' << y << ' ' << k;
+        }
+      }
+    }
+  }
+  const Match middle{5.0F, 4.0F, 3, Rotation{}};
+  EXPECT_EQ(with.contribution(middle, middle), kPatchArea);
+  const Match corner{0.0F, 0.0F, 3, Rotation{}};
+  EXPECT_EQ(with.contribution(corner, corner), (kPatchRadius + 1) * (kPatchRadius + 1));
+}
+
 TEST(Occurrence, RadiusBeyondTheSequenceCoversAllFrames) {
   OccurrenceMap map(kSize, kFrames, 1000);
   map.add(Match{5.0F, 4.0F, 3, Rotation{}}, +1);

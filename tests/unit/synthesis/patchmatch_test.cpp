@@ -190,6 +190,34 @@ TEST_F(PatchMatchTest, EnergyFallsWithTheDefaultUniformityToo) {
   EXPECT_LT(energy(nnf), 0.6 * before);
 }
 
+TEST_F(PatchMatchTest, TheMatchesOfASmallTargetSettle) {
+  // Few uses of a large exemplar: one use more or less is much
+  const test::GrowingDisc large{Size{120, 110}, {60.0F, 55.0F}, 30.0F, 1.0F, 12};
+  const Exemplar exemplar = test::discExemplar(large, 0, kBorderWidthPx, 20);
+  const ExpectedUse expectedUse(exemplar.level(0), options_.occRadiusFrames);
+  const test::GrowingDisc small{Size{36, 36}, {18.0F, 18.0F}, 8.0F, 1.0F, 3};
+  TargetLevel target(finestLevel(small.guides(1)), kBorderWidthPx);
+  target.picture = test::randomTexture(small.size, 21);
+  const SearchProblem few{exemplar.level(0), expectedUse, target, options_, Place{}};
+  NearestNeighborField nnf(target.size());
+  repair(few, -1, nnf);
+  findNearestNeighbors(few, weights_, 7, 0, nnf);
+  const NearestNeighborField before = nnf.clone();
+  findNearestNeighbors(few, weights_, 1, 7, nnf);
+  int inside = 0;
+  int changed = 0;
+  for (int y = 0; y < nnf.height(); ++y) {
+    for (int x = 0; x < nnf.width(); ++x) {
+      if (!target.inside(x, y)) continue;
+      const Match& a = before(x, y);
+      const Match& b = nnf(x, y);
+      ++inside;
+      changed += a.x == b.x && a.y == b.y && a.frame == b.frame ? 0 : 1;
+    }
+  }
+  EXPECT_LT(changed, 0.15 * inside);
+}
+
 TEST_F(PatchMatchTest, SameBytesForAnyNumberOfThreads) {
   const int defaultThreads = omp_get_max_threads();
   NearestNeighborField reference;
