@@ -8,9 +8,9 @@
 namespace fluidymation {
 
 /// Writes the matches of one frame: `folder`/NNNNN.nnf.pfm (x, y, the source frame's own number;
-/// NaN in all three where there is no match: a frame may have any number), .theta.pfm (radians, 0
-/// without match) and, for people, .nnf.png (red = x, green = frame, blue = y, each relative to the
-/// exemplar's extent).
+/// exact up to 2^24; NaN in all three where there is no match: a frame may have any number),
+/// .theta.pfm (radians, 0 without match) and, for people, .nnf.png (red = x, green = frame, blue =
+/// y, each relative to the exemplar's extent).
 /// @param frameNumber    the target frame's own number; NNNNN has at least five digits.
 /// @param sourceNumbers  own numbers of the exemplar's frames.
 /// @throws Error naming the file that cannot be written.
