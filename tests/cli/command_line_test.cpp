@@ -315,6 +315,21 @@ TEST(CommandLine, PatternsAreCheckedAndNamed) {
   }
 }
 
+TEST(CommandLine, OutputIsNamedAsWhatItIs) {
+  const std::string wanted = ": frames are written as PNG; wanted a name that ends in .png";
+  for (const char* pattern :
+       {"x/%05d.jpg", "x/%05d", "x.png/%05d", "%dpng", "x.png%d", "%d.png "}) {
+    Arguments arguments = kRequired;
+    arguments.back() = pattern;
+    EXPECT_EQ(complaint(arguments), "--out-path: " + std::string(pattern) + wanted);
+  }
+  for (const char* pattern : {"x/%05d.PNG", "%d.png", "x%d_.Png"}) {
+    Arguments arguments = kRequired;
+    arguments.back() = pattern;
+    EXPECT_EQ(parse(arguments).options.outPath, pattern);
+  }
+}
+
 TEST(CommandLine, EveryComplaintIsOneLine) {
   const std::string hostile = "a\nb\x1b[31m%d\r" + std::string(100000, 'x');
   for (const Reaching& o : reachingOptions()) {
