@@ -290,6 +290,12 @@ TEST(CommandLine, UnknownArgumentsAreNamedWithTheNearestOption) {
             "option --target-pth: there is no such option; did you mean --target-path?");
   EXPECT_EQ(complaint(complete({"--border_width=3"})),
             "option --border_width: there is no such option; did you mean --border-width?");
+  EXPECT_EQ(complaint(complete({"--blur", "4"})),
+            "option --blur: there is no such option; did you mean --blur-sigma?");
+  EXPECT_EQ(complaint(complete({"--prev=1"})),
+            "option --prev: there is no such option; did you mean --prev-weight, "
+            "--prev-modulation-bounds?");
+  EXPECT_EQ(complaint(complete({"-", "x"})), "option -: there is no such option; see --help");
   EXPECT_EQ(complaint(complete({"--brush", "x"})),
             "option --brush: there is no such option; see --help");
   EXPECT_EQ(complaint(complete({"-s", "x"})), "option -s: there is no such option; see --help");
@@ -403,6 +409,7 @@ TEST(CommandLine, TheReadmeListsTheOptionsAsHelpDoes) {
 TEST(CommandLine, HelpAndVersionNeedNothingElse) {
   EXPECT_EQ(parse({"--version"}).information, "fluidymation " FLUIDYMATION_VERSION "\n");
   EXPECT_TRUE(parse({"--seed", "5", "--help"}).information);
+  EXPECT_EQ(parse({"-h"}).information, parse({"--help"}).information);
   EXPECT_FALSE(parse(kRequired).information);
 }
 
