@@ -67,6 +67,7 @@ TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
   const Outcome outcome = run({}, failing(Error("a\nb")), true);
   EXPECT_EQ(outcome.code, kFailed);
   EXPECT_EQ(outcome.err,
+            "\rreading the masks and the exemplar ...\x1b[K"
             "\rframe 1 of 2  0.50 s/frame  00:01 left\x1b[K\nfluidymation: error: a?b\n");
 }
 
