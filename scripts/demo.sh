@@ -3,22 +3,31 @@
 # Usage: scripts/demo.sh [EXEMPLAR [TARGET [FRAMES]]]    (default: watercolour horse 30)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+case ${1:-} in
+  -h | --help)
+    usage
+    echo "Exemplars: $(exemplar_names | paste -sd ' ')"
+    echo "Targets:   $(target_names | paste -sd ' ')"
+    exit 0
+    ;;
+esac
+[ $# -le 3 ] || refuse "$# arguments; wanted at most EXEMPLAR TARGET FRAMES"
 exemplar=${1:-watercolour}
 target=${2:-horse}
 frames=${3:-30}
-for folder in "samples/source/$exemplar" "samples/target-mask/$target"; do
-  [ -d "$folder" ] || { echo "$folder: no such sample; there are:" samples/source/*/ \
-    samples/target-mask/*/ >&2; exit 2; }
-done
+require_exemplar "$exemplar"
+require_target "$target"
+require_frames "$frames"
+require_own_folders
 
 scripts/install_packages.sh build samples
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)"
 
-out=output/demo/$exemplar-$target
+out=output/demo/$exemplar-${target//\//-}
 rm -rf "$out"
-mapfile -t parameters < <(grep -vE '^\s*(#|$)' "samples/source/$exemplar/parameters.txt" |
-  tr -s ' ' '\n')
+mapfile -t parameters < <(parameters_of "$exemplar")
 command=(build/release/fluidymation
   --src-path "samples/source/$exemplar/rgb/%05d.png"
   --src-mask-path "samples/source/$exemplar/mask/%05d.png"

@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
-# Makes an MP4 and an animated GIF of painted frames over one colour, if ffmpeg is there.
-# Usage: scripts/preview.sh FRAMES_DIR OUT_STEM [COLOUR]   (frames %05d.png from 1; 12 frames/s)
+# Makes an animated GIF of painted frames over a background, and an MP4 where ffmpeg is installed.
+# Usage: scripts/preview.sh FRAMES_DIR OUT_STEM [BACKGROUND]
+#   FRAMES_DIR   numbered PNG files of one size, shown at 12 frames/s
+#   OUT_STEM     OUT_STEM.gif and OUT_STEM.mp4 are written
+#   BACKGROUND   a colour, or a picture such as the film's bare surface (default: #F4F1E8)
 set -euo pipefail
-[ $# -ge 2 ] || { sed -n '2,3s/^# //p' "$0" >&2; exit 2; }
-frames=$1 stem=$2 colour=${3:-0xF4F1E8}
-if ! command -v ffmpeg >/dev/null; then
-  echo "ffmpeg is not installed: no MP4 and no animated preview"
-  exit 0
+here=$(dirname "${BASH_SOURCE[0]}")
+source "$here/common.sh"
+case ${1:-} in
+  -h | --help)
+    usage
+    exit 0
+    ;;
+esac
+if [ $# -lt 2 ] || [ $# -gt 3 ]; then
+  refuse "$# arguments; wanted FRAMES_DIR OUT_STEM and perhaps BACKGROUND"
 fi
-size=$(ffprobe -v error -select_streams v -show_entries stream=width,height -of csv=p=0:s=x \
-  "$frames/00001.png")
-input=(-v error -y -f lavfi -i "color=$colour:s=$size:r=12" -framerate 12 -i "$frames/%05d.png")
-ffmpeg "${input[@]}" -filter_complex '[0][1]overlay=shortest=1,pad=ceil(iw/2)*2:ceil(ih/2)*2' \
-  -pix_fmt yuv420p "$stem.mp4"
-ffmpeg "${input[@]}" -filter_complex \
-  '[0][1]overlay=shortest=1,scale=480:-1,split[a][b];[a]palettegen[p];[b][p]paletteuse' "$stem.gif"
-echo "$stem.mp4"
-echo "$stem.gif"
+"$here/install_packages.sh" samples
+exec "$here/preview.py" "$@"

@@ -57,6 +57,10 @@ inline constexpr int kLongestList = 32;
 /// @throws UsageError naming `option` unless `pattern` is a path with one frame number.
 void checkPattern(const std::string& option, const std::string& pattern);
 
+/// The same for frames to write, whose name has to end in .png, in letters of either case: PNG is
+/// what they are.
+void checkOutputPattern(const std::string& option, const std::string& pattern);
+
 /// Makes sure that every option is one the engine can work with. What the command line has parsed
 /// always is; other callers may have written anything into `options`.
 /// @throws UsageError naming the option, its value and what is wanted.

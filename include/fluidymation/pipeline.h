@@ -23,6 +23,8 @@ struct Observer {
   std::function<void(const FrameReport&)> frameDone;
   /// Whether to stop. Asked between frames, where no file is half written.
   std::function<bool()> cancelled;
+  /// All masks and the exemplar are read, and the first of so many frames is begun.
+  std::function<void(int frameCount)> paintingBegins;
 };
 
 /// Validates the options and checks every input, then paints every target frame and writes it, on

@@ -34,12 +34,20 @@ namespace {
   return row[b.size()];
 }
 
-[[noreturn]] void refuseArgument(const std::string& argument, const std::vector<Spec>& table) {
-  if (argument.empty() || argument[0] != '-') {
-    throw UsageError(shown("argument", argument) +
-                     ": belongs to no option; wanted --option value (see --help)");
+/// "--flow-weight" for "--flow", "--src-path, --src-mask-path, ..." for "--src"; else empty.
+[[nodiscard]] std::string optionsBeginningWith(const std::string& name,
+                                               const std::vector<Spec>& table) {
+  constexpr std::size_t kShortestName = 3;  // two hyphens begin all of them
+  std::string names;
+  for (const Spec& spec : table) {
+    if (name.size() < kShortestName || spec.name.compare(0, name.size(), name) != 0) continue;
+    names += (names.empty() ? "" : ", ") + spec.name;
   }
-  const std::string name = argument.substr(0, argument.find('='));
+  return names;
+}
+
+/// The option that a slip of the fingers turns into `name`; empty where none is near.
+[[nodiscard]] std::string nearestOption(const std::string& name, const std::vector<Spec>& table) {
   std::string nearest;
   constexpr std::size_t kLongestName = 40;
   std::size_t smallest = 4;  // a name further away is another word
@@ -50,8 +58,19 @@ namespace {
     smallest = distance;
     nearest = spec.name;
   }
+  return nearest;
+}
+
+[[noreturn]] void refuseArgument(const std::string& argument, const std::vector<Spec>& table) {
+  if (argument.empty() || argument[0] != '-') {
+    throw UsageError(shown("argument", argument) +
+                     ": belongs to no option; wanted --option value (see --help)");
+  }
+  const std::string name = argument.substr(0, argument.find('='));
+  std::string likely = optionsBeginningWith(name, table);
+  if (likely.empty()) likely = nearestOption(name, table);
   throw UsageError(shown("option", name) + ": there is no such option" +
-                   (nearest.empty() ? "; see --help" : "; did you mean " + nearest + "?"));
+                   (likely.empty() ? "; see --help" : "; did you mean " + likely + "?"));
 }
 
 /// CLI11 takes "--seed= 5" for "--seed 5"; to us it is an option without a value.
@@ -116,7 +135,7 @@ void describe(CLI::App& app, const std::vector<Spec>& table) {
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   // CLI11 lists groups in the order of their first option, so its own flags come last.
-  app.set_help_flag("--help", "print this text")->group(kRunningGroup);
+  app.set_help_flag("-h,--help", "print this text")->group(kRunningGroup);
   app.add_flag("--version", "print the version")->group(kRunningGroup);
   app.allow_extras();  // so that the complaint is ours
 }

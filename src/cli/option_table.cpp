@@ -35,12 +35,15 @@ template <typename T>
 /// The table, built by one function a kind of value.
 class Table {
  public:
-  void pattern(const char* name, const char* what, const char* section, Field<std::string> field) {
+  using PatternCheck = void (*)(const std::string& option, const std::string& pattern);
+
+  void pattern(const char* name, const char* what, const char* section, Field<std::string> field,
+               PatternCheck check = checkPattern) {
     const std::string option = name;
     specs_.push_back({option, kFiles, "PATTERN",
                       std::string(what) + "\n(required; " + section + ")", true,
-                      [option, field](CommandLine& line, const std::string& value) {
-                        checkPattern(option, value);
+                      [option, field, check](CommandLine& line, const std::string& value) {
+                        check(option, value);
                         field(line) = value;
                       }});
   }
@@ -105,8 +108,9 @@ void addFiles(Table& table) {
                 [](CommandLine& c) -> std::string& { return c.options.sourceMaskPath; });
   table.pattern("--target-path", "masks of the animation to paint", "thesis §3.1",
                 [](CommandLine& c) -> std::string& { return c.options.target.path; });
-  table.pattern("--out-path", "painted frames to write, numbered as --target-path", "thesis §3.1",
-                [](CommandLine& c) -> std::string& { return c.options.outPath; });
+  table.pattern(
+      "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
+      [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
   table.add({"--dump-guides", kFiles, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",

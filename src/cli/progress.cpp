@@ -31,16 +31,27 @@ std::string clockText(double seconds) {
   return whole < 3600 ? minutesAndSeconds : std::to_string(whole / 3600) + ":" + minutesAndSeconds;
 }
 
+void Progress::readingBegins() { rewrite("reading the masks and the exemplar ..."); }
+
+void Progress::paintingBegins(int frameCount) {
+  rewrite("frame 1 of " + std::to_string(frameCount) + " ...");
+}
+
 void Progress::note(const std::string& text) {
   if (style_ == Style::kQuiet) return;
-  finishLine();
+  const std::string line = line_;
+  if (!line.empty()) rewrite("");
   out_ << "fluidymation: note: " + oneLine(text) + "\n" << std::flush;
+  if (!line.empty()) rewrite(line);
 }
 
 void Progress::frameDone(const FrameReport& report) {
   if (style_ == Style::kQuiet) return;
   totalSeconds_ += report.seconds;
   const int done = report.index + 1;
+  framesDone_ = done;
+  if (firstPath_.empty()) firstPath_ = report.path;
+  lastPath_ = report.path;
   const std::string place =
       "frame " + std::to_string(done) + " of " + std::to_string(report.count) + "  ";
   if (style_ == Style::kPlain) {
@@ -49,16 +60,29 @@ void Progress::frameDone(const FrameReport& report) {
     return;
   }
   const double mean = totalSeconds_ / done;
-  // Back to the first column; the escape sequence clears what a longer line left behind.
-  out_ << "\r" + place + twoDecimals(mean) + " s/frame  " +
-              clockText(mean * (report.count - done)) + " left\x1b[K"
-       << std::flush;
-  lineOpen_ = true;
+  rewrite(place + twoDecimals(mean) + " s/frame  " + clockText(mean * (report.count - done)) +
+          " left");
+}
+
+void Progress::allDone() {
+  if (framesDone_ == 1) rewrite("1 frame in " + clockText(totalSeconds_) + ": " + firstPath_);
+  if (framesDone_ > 1) {
+    rewrite(std::to_string(framesDone_) + " frames in " + clockText(totalSeconds_) + ": " +
+            firstPath_ + " to " + lastPath_);
+  }
+  finishLine();
 }
 
 void Progress::finishLine() {
-  if (lineOpen_) out_ << "\n" << std::flush;
-  lineOpen_ = false;
+  if (!line_.empty()) out_ << "\n" << std::flush;
+  line_.clear();
+}
+
+void Progress::rewrite(const std::string& line) {
+  if (style_ != Style::kTerminal) return;
+  line_ = oneLine(line);
+  // Back to the first column; the escape sequence clears what a longer line left behind.
+  out_ << "\r" + line_ + "\x1b[K" << std::flush;
 }
 
 }  // namespace fluidymation::cli

@@ -7,25 +7,35 @@
 
 namespace fluidymation::cli {
 
-/// Tells the user what happens: on a terminal one line that is rewritten for every frame, else one
-/// plain line a frame.
+/// Tells the user what happens: on a terminal one line, shown from the beginning and rewritten for
+/// every frame, with notes above it; else one plain line a frame.
 class Progress {
  public:
   enum class Style { kTerminal, kPlain, kQuiet };
 
   Progress(std::ostream& out, Style style) : out_(out), style_(style) {}
 
+  void readingBegins();
+  void paintingBegins(int frameCount);
   void note(const std::string& text);
   void frameDone(const FrameReport& report);
+
+  /// On a terminal the line's last words: how many frames, how long, which files.
+  void allDone();
 
   /// Ends the line being rewritten; call before anything else is printed there.
   void finishLine();
 
  private:
+  void rewrite(const std::string& line);
+
   std::ostream& out_;
   Style style_;
+  std::string line_;  ///< on the terminal now, not yet ended; empty where there is none
+  int framesDone_ = 0;
   double totalSeconds_ = 0.0;
-  bool lineOpen_ = false;
+  std::string firstPath_;
+  std::string lastPath_;
 };
 
 /// "00:28", "1:02:03" from an hour on.

@@ -32,14 +32,16 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
   Progress progress(streams.err, style);
   const Observer observer{[&](const std::string& text) { progress.note(text); },
                           [&](const FrameReport& report) { progress.frameDone(report); },
-                          [&] { return stopSignal && stopSignal() != 0; }};
+                          [&] { return stopSignal && stopSignal() != 0; },
+                          [&](int frameCount) { progress.paintingBegins(frameCount); }};
   try {
+    progress.readingBegins();
     engine(line.options, observer);
   } catch (...) {
     progress.finishLine();
     throw;
   }
-  progress.finishLine();
+  progress.allDone();
 }
 
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,

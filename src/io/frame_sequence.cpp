@@ -124,6 +124,13 @@ class FrameList {
   return holes;
 }
 
+/// "frames 1 to 3 are used"
+[[nodiscard]] std::string used(const std::vector<int>& numbers) {
+  const std::string first = std::to_string(numbers.front());
+  if (numbers.size() == 1) return "frame " + first + " is used";
+  return "frames " + first + " to " + std::to_string(numbers.back()) + " are used";
+}
+
 }  // namespace
 
 FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
@@ -162,9 +169,8 @@ FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequen
                  " frames (" + framesOption + ")";
   } else if (indices.back() >= frames) {
     const auto following = indices.end() - std::lower_bound(indices.begin(), indices.end(), frames);
-    files.note = name + "frames " + std::to_string(files.numbers.front()) + " to " +
-                 std::to_string(files.numbers.back()) + " are used; " + std::to_string(following) +
-                 " more follow (" + framesOption + ")";
+    files.note = name + used(files.numbers) + "; " + std::to_string(following) +
+                 (following == 1 ? " more follows (" : " more follow (") + framesOption + ")";
   }
   return files;
 }

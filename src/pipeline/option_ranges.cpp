@@ -105,11 +105,20 @@ void checkPattern(const std::string& option, const std::string& pattern) {
   }
 }
 
+void checkOutputPattern(const std::string& option, const std::string& pattern) {
+  checkPattern(option, pattern);
+  std::string ending = pattern.substr(pattern.size() - std::min<std::size_t>(pattern.size(), 4));
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (ending == ".png") return;
+  throw UsageError(option + ": " + pattern +
+                   ": frames are written as PNG; wanted a name that ends in .png");
+}
+
 void validate(const Options& options) {
   check("--src", options.source);
   checkPattern("--src-mask-path", options.sourceMaskPath);
   check("--target", options.target);
-  checkPattern("--out-path", options.outPath);
+  checkOutputPattern("--out-path", options.outPath);
   if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
     throw UsageError("--dump-guides with an empty value: wanted a folder's name");
   }

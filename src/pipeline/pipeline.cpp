@@ -136,6 +136,7 @@ void stylize(const Options& options, const Observer& observer) {
   const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, observer);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
+  if (observer.paintingBegins) observer.paintingBegins(frameCount);
   for (int j = 0; j < frameCount; ++j) {
     stopIfCancelled(observer, j, frameCount);
     const auto i = static_cast<std::size_t>(j);

@@ -290,6 +290,12 @@ TEST(CommandLine, UnknownArgumentsAreNamedWithTheNearestOption) {
             "option --target-pth: there is no such option; did you mean --target-path?");
   EXPECT_EQ(complaint(complete({"--border_width=3"})),
             "option --border_width: there is no such option; did you mean --border-width?");
+  EXPECT_EQ(complaint(complete({"--blur", "4"})),
+            "option --blur: there is no such option; did you mean --blur-sigma?");
+  EXPECT_EQ(complaint(complete({"--prev=1"})),
+            "option --prev: there is no such option; did you mean --prev-weight, "
+            "--prev-modulation-bounds?");
+  EXPECT_EQ(complaint(complete({"-", "x"})), "option -: there is no such option; see --help");
   EXPECT_EQ(complaint(complete({"--brush", "x"})),
             "option --brush: there is no such option; see --help");
   EXPECT_EQ(complaint(complete({"-s", "x"})), "option -s: there is no such option; see --help");
@@ -312,6 +318,21 @@ TEST(CommandLine, PatternsAreCheckedAndNamed) {
       const std::string message = complaint({option, pattern});
       EXPECT_EQ(message.find(std::string(option) + ": " + pattern + ": "), 0U) << message;
     }
+  }
+}
+
+TEST(CommandLine, OutputIsNamedAsWhatItIs) {
+  const std::string wanted = ": frames are written as PNG; wanted a name that ends in .png";
+  for (const char* pattern :
+       {"x/%05d.jpg", "x/%05d", "x.png/%05d", "%dpng", "x.png%d", "%d.png "}) {
+    Arguments arguments = kRequired;
+    arguments.back() = pattern;
+    EXPECT_EQ(complaint(arguments), "--out-path: " + std::string(pattern) + wanted);
+  }
+  for (const char* pattern : {"x/%05d.PNG", "%d.png", "x%d_.Png"}) {
+    Arguments arguments = kRequired;
+    arguments.back() = pattern;
+    EXPECT_EQ(parse(arguments).options.outPath, pattern);
   }
 }
 
@@ -388,6 +409,7 @@ TEST(CommandLine, TheReadmeListsTheOptionsAsHelpDoes) {
 TEST(CommandLine, HelpAndVersionNeedNothingElse) {
   EXPECT_EQ(parse({"--version"}).information, "fluidymation " FLUIDYMATION_VERSION "\n");
   EXPECT_TRUE(parse({"--seed", "5", "--help"}).information);
+  EXPECT_EQ(parse({"-h"}).information, parse({"--help"}).information);
   EXPECT_FALSE(parse(kRequired).information);
 }
 

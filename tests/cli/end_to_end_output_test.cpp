@@ -450,7 +450,7 @@ TEST(EndToEndOutput, NotesTellOfFramesThatAreNotThereOrNotUsed) {
   const ProcessResult result = scene.paint({{"--src-frames", "3"}, {"--target-frames", "9"}});
   EXPECT_EQ(result.exitCode, 0);
   const std::string notes =
-      "fluidymation: note: --src-path src/%05d.png: frames 1 to 3 are used; 1 more follow "
+      "fluidymation: note: --src-path src/%05d.png: frames 1 to 3 are used; 1 more follows "
       "(--src-frames)\n"
       "fluidymation: note: --target-path target/%05d.png: the sequence ends with frame 4, after 4 "
       "of at most 9 frames (--target-frames)\n"

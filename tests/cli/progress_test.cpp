@@ -14,11 +14,15 @@ FrameReport report(int index, double seconds) {
 TEST(Progress, ATerminalGetsOneLineThatIsRewritten) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kTerminal);
+  progress.readingBegins();
+  progress.paintingBegins(80);
   progress.frameDone(report(0, 1.0));
   progress.frameDone(report(1, 0.5));
   progress.finishLine();
   progress.finishLine();
   EXPECT_EQ(out.str(),
+            "\rreading the masks and the exemplar ...\x1b[K"
+            "\rframe 1 of 80 ...\x1b[K"
             "\rframe 1 of 80  1.00 s/frame  01:19 left\x1b[K"
             "\rframe 2 of 80  0.75 s/frame  00:59 left\x1b[K\n");
 }
@@ -26,17 +30,37 @@ TEST(Progress, ATerminalGetsOneLineThatIsRewritten) {
 TEST(Progress, AFileGetsOnePlainLinePerFrame) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kPlain);
+  progress.readingBegins();
+  progress.paintingBegins(80);
   progress.frameDone(report(0, 1.0));
   progress.note("something\nodd");
   progress.frameDone(report(1, 0.256));
-  progress.finishLine();
+  progress.allDone();
   EXPECT_EQ(out.str(),
             "frame 1 of 80  1.00 s  out/101.png\n"
             "fluidymation: note: something?odd\n"
             "frame 2 of 80  0.26 s  out/102.png\n");
 }
 
-TEST(Progress, ANoteEndsTheLineBeingRewritten) {
+TEST(Progress, ATerminalIsToldInTheEndWhereTheFramesAre) {
+  std::ostringstream one;
+  Progress single(one, Progress::Style::kTerminal);
+  single.frameDone({0, 1, 7, 61.0, "out/\n7.png"});
+  single.allDone();
+  EXPECT_EQ(one.str(),
+            "\rframe 1 of 1  61.00 s/frame  00:00 left\x1b[K"
+            "\r1 frame in 01:01: out/?7.png\x1b[K\n");
+
+  std::ostringstream two;
+  Progress progress(two, Progress::Style::kTerminal);
+  progress.frameDone(report(0, 1.0));
+  progress.frameDone(report(1, 2.0));
+  two.str("");
+  progress.allDone();
+  EXPECT_EQ(two.str(), "\r2 frames in 00:03: out/101.png to out/102.png\x1b[K\n");
+}
+
+TEST(Progress, NotesStandAboveTheLineBeingRewritten) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kTerminal);
   progress.note("first");
@@ -44,16 +68,19 @@ TEST(Progress, ANoteEndsTheLineBeingRewritten) {
   progress.note("last");
   EXPECT_EQ(out.str(),
             "fluidymation: note: first\n"
-            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K\n"
-            "fluidymation: note: last\n");
+            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K"
+            "\r\x1b[Kfluidymation: note: last\n"
+            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K");
 }
 
 TEST(Progress, QuietSaysNothing) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kQuiet);
+  progress.readingBegins();
+  progress.paintingBegins(80);
   progress.note("something");
   progress.frameDone(report(0, 1.0));
-  progress.finishLine();
+  progress.allDone();
   EXPECT_EQ(out.str(), "");
 }
 

@@ -19,9 +19,9 @@ struct Outcome {
 };
 
 Outcome run(std::vector<const char*> arguments, const Engine& engine, bool terminal = false) {
-  std::vector<const char*> argv = {"fluidymation", "--src-path", "s/%d", "--src-mask-path",
-                                   "m/%d",         "--out-path", "o/%d", "--target-path",
-                                   "t/%d"};
+  std::vector<const char*> argv = {"fluidymation",    "--src-path",    "s/%d",
+                                   "--src-mask-path", "m/%d",          "--out-path",
+                                   "o/%d.png",        "--target-path", "t/%d"};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   std::ostringstream out;
   std::ostringstream err;
@@ -49,7 +49,7 @@ TEST(Tool, PassesTheOptionsAndReportsFramesOnStderr) {
         observer.frameDone({1, 2, 2, 0.5, "o/2"});
       });
   EXPECT_EQ(outcome.code, kDone);
-  EXPECT_EQ(path, "o/%d 9");
+  EXPECT_EQ(path, "o/%d.png 9");
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err,
             "fluidymation: note: two frames\n"
@@ -67,6 +67,7 @@ TEST(Tool, ErrorsBeginOnALineOfTheirOwn) {
   const Outcome outcome = run({}, failing(Error("a\nb")), true);
   EXPECT_EQ(outcome.code, kFailed);
   EXPECT_EQ(outcome.err,
+            "\rreading the masks and the exemplar ...\x1b[K"
             "\rframe 1 of 2  0.50 s/frame  00:01 left\x1b[K\nfluidymation: error: a?b\n");
 }
 
@@ -101,8 +102,8 @@ TEST(Tool, AStoppedRunEndsWithTheSignalsCode) {
     const int number = signal;
     std::ostringstream out;
     std::ostringstream err;
-    const char* const argv[] = {"fluidymation",  "--quiet", "--src-path",      "s/%d",
-                                "--out-path",    "o/%d",    "--src-mask-path", "m/%d",
+    const char* const argv[] = {"fluidymation",  "--quiet",  "--src-path",      "s/%d",
+                                "--out-path",    "o/%d.png", "--src-mask-path", "m/%d",
                                 "--target-path", "t/%d"};
     const Engine engine = [&](const Options&, const Observer& observer) {
       stoppedAtOnce = observer.cancelled();

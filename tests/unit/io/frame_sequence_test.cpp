@@ -62,7 +62,9 @@ TEST(FrameSequence, NotesThatMoreFilesFollow) {
   const FrameFiles found = frames.find(1, 2, 2);
   EXPECT_EQ(found.numbers, (Numbers{1, 3}));
   EXPECT_EQ(found.note, "--target-path " + frames.text() +
-                            ": frames 1 to 3 are used; 1 more follow (--target-frames)");
+                            ": frames 1 to 3 are used; 1 more follows (--target-frames)");
+  EXPECT_EQ(frames.find(2, 1).note, "--target-path " + frames.text() +
+                                        ": frame 2 is used; 4 more follow (--target-frames)");
 }
 
 TEST(FrameSequence, PlaysBackwards) {

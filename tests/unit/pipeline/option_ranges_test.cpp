@@ -39,6 +39,8 @@ const std::vector<Fault>& faults() {
       {"--src-mask-path: a.png: ", [](Options& o) { o.sourceMaskPath = "a.png"; }},
       {"--target-path: %s: ", [](Options& o) { o.target.path = "%s"; }},
       {"--out-path: %d%d: ", [](Options& o) { o.outPath = "%d%d"; }},
+      {"--out-path: none/%d.jpg: frames are written as PNG; wanted a name that ends in .png",
+       [](Options& o) { o.outPath = "none/%d.jpg"; }},
       {"--dump-guides with an empty value", [](Options& o) { o.dumpGuidesDirectory = ""; }},
       {"--src-start 2000000000: wanted a whole number in [-1000000000, 1000000000]",
        [](Options& o) { o.source.start = 2'000'000'000; }},

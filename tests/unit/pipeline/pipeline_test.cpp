@@ -58,6 +58,18 @@ TEST(Stylize, StopsAtEveryStageWhenAsked) {
   }
 }
 
+TEST(Stylize, TellsOfTheFirstFrameBeforeItIsPainted) {
+  const SmallScene scene(2);
+  std::string told;
+  Observer observer;
+  observer.paintingBegins = [&](int count) { told += "begin " + std::to_string(count); };
+  observer.frameDone = [&](const FrameReport& report) {
+    told += ", done " + std::to_string(report.frameNumber);
+  };
+  stylize(optionsFor(scene), observer);
+  EXPECT_EQ(told, "begin 2, done 1, done 2");
+}
+
 TEST(Stylize, FinishesWhenAskedToStopAfterTheLastFrame) {
   const SmallScene scene(1);
   bool stop = false;
