@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <new>
 #include <system_error>
@@ -139,10 +140,19 @@ void checkPlausible(const Header& header, std::int64_t byteCount, const std::str
                         dimensions(header.size.width, header.size.height) + " pixels it claims");
 }
 
+/// Where libpng reads from, and how many bytes it may still have.
+struct Source {
+  std::FILE* file = nullptr;
+  std::size_t bytesLeft = std::numeric_limits<std::size_t>::max();
+};
+
 void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
-  auto* const file = static_cast<std::FILE*>(png_get_io_ptr(png));
-  if (std::fread(data, 1, byteCount, file) == byteCount) return;
-  png_error(png, std::ferror(file) != 0 ? "it cannot be read to its end" : "it ends too early");
+  auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+  if (byteCount > source.bytesLeft) png_error(png, "there is more data than its pixels need");
+  source.bytesLeft -= byteCount;
+  if (std::fread(data, 1, byteCount, source.file) == byteCount) return;
+  png_error(png,
+            std::ferror(source.file) != 0 ? "it cannot be read to its end" : "it ends too early");
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -152,6 +162,7 @@ void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
 class Reader {
  public:
   Reader(std::FILE* file, const std::string& path) : path_(path) {
+    source_.file = file;
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, libpng::onError,
                                   libpng::onWarning);
     if (png_ == nullptr) throw std::bad_alloc();
@@ -160,7 +171,7 @@ class Reader {
       png_destroy_read_struct(&png_, nullptr, nullptr);
       throw std::bad_alloc();
     }
-    png_set_read_fn(png_, file, onRead);
+    png_set_read_fn(png_, &source_, onRead);
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -175,8 +186,19 @@ class Reader {
     if (!libpng::attempt(png_, body)) failDamaged(path_, message_.data());
   }
 
+  /// Reads the last row of the last sweep, of `rowBytes` bytes. Runs inside `run`. With it libpng
+  /// unpacks all that is left of the pixel data, wanted or not; a few kilobytes may be gigabytes
+  /// then. So it is given no more than the row itself may need.
+  void readLastRow(png_bytep row, std::size_t rowBytes) {
+    constexpr std::size_t kSurplus = 16384;  // bytes as stored; libpng reads up to 8192 at a time
+    source_.bytesLeft = rowBytes + kSurplus;
+    png_read_row(png_, row, nullptr);
+    source_.bytesLeft = std::numeric_limits<std::size_t>::max();
+  }
+
  private:
   const std::string& path_;
+  Source source_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   libpng::Message message_{};
@@ -303,8 +325,13 @@ Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
   reader.run([&] {
     for (int pass = 0; pass < layout.passes; ++pass) {
       for (int y = 0; y < height; ++y) {
-        png_read_row(png, rowAt(y), nullptr);
-        if (pass + 1 < layout.passes) continue;
+        const bool lastSweep = pass + 1 == layout.passes;
+        if (lastSweep && y + 1 == height) {
+          reader.readLastRow(rowAt(y), layout.rowBytes);
+        } else {
+          png_read_row(png, rowAt(y), nullptr);
+        }
+        if (!lastSweep) continue;
         decodeRow(rowAt(y), layout.wide, table.data(), header.size.width, image.row(y));
       }
     }

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 #include <random>
 
@@ -116,6 +117,33 @@ TEST_F(HostilePng, PixelsThatEndEarlyAreRefused) {
   EXPECT_EQ(complaint(grayPng(64, 64, test::deflatedZeros(9 * 64))), "");
   EXPECT_EQ(complaint(grayPng(64, 64, test::deflatedZeros(9 * 63))),
             path_ + ": damaged PNG file (Not enough image data)");
+}
+
+TEST_F(HostilePng, PixelsWithoutEndAreRefused) {
+  constexpr std::size_t kNeeded = 9 * 64;
+  const std::string expected =
+      path_ + ": damaged PNG file (there is more data than its pixels need)";
+  const auto complaintOf = [&](const std::vector<Bytes>& pixels, int interlace) {
+    std::vector<PngChunk> chunks = {{"IHDR", test::pngHeader(64, 64, 1, 0, interlace)}};
+    for (const Bytes& part : pixels) chunks.push_back({"IDAT", part});
+    chunks.push_back({"IEND", {}});
+    return complaint(test::joinPng(chunks));
+  };
+  for (const int interlace : {0, 1}) {
+    EXPECT_EQ(complaintOf({test::deflatedZeros(kNeeded + 2000)}, interlace), "")
+        << "what some encoders leave behind the last row does no harm";
+    const Bytes bomb = test::deflatedZeros(kNeeded + 60'000'000);
+    EXPECT_EQ(complaintOf({bomb}, interlace), expected);
+    // However it is cut into chunks.
+    constexpr std::ptrdiff_t kPart = 100;
+    std::vector<Bytes> parts;
+    for (auto at = bomb.begin(); at != bomb.end();) {
+      const auto end = at + std::min(kPart, bomb.end() - at);
+      parts.emplace_back(at, end);
+      at = end;
+    }
+    EXPECT_EQ(complaintOf(parts, interlace), expected);
+  }
 }
 
 TEST_F(HostilePng, GiganticClaimsAreRefusedFromTheHeader) {
