@@ -74,19 +74,27 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
           options.threads,      options.timeBlurSigmaFrames};
 }
 
-Mask readMask(const InputSequence& masks, int frame) {
+MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {
+  for (const std::string& path : masks.files.paths) {
+    beforeFrame();
+    if (hasTransparency(path, masks.stored)) return MaskChannel::kAlpha;
+  }
+  return MaskChannel::kBrightness;
+}
+
+Mask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
-  const Image<float> coverage = resize(readCoverage(path, masks.stored), masks.scaled);
+  const Image<float> coverage = resize(readCoverage(path, channel, masks.stored), masks.scaled);
   Mask mask(masks.scaled);
   std::transform(coverage.begin(), coverage.end(), mask.begin(),
                  [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
   return mask;
 }
 
-MaskReader countingReader(const InputSequence& masks, const std::string& path,
+MaskReader countingReader(const InputSequence& masks, MaskChannel channel, const std::string& path,
                           std::int64_t otherBytes) {
-  return [&masks, path, bytes = otherBytes](int frame) mutable {
-    Mask mask = readMask(masks, frame);
+  return [&masks, channel, path, bytes = otherBytes](int frame) mutable {
+    Mask mask = readMask(masks, channel, frame);
     bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
     if (bytes <= kMaxRunBytes) return mask;
     throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +

@@ -117,18 +117,21 @@ void stylize(const Options& options, const Observer& observer) {
 
   // All masks are read before anything is written: a damaged one must leave neither half a dump nor
   // an empty folder.
+  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
         stopBeforeTheFirst();
-        return readMask(inputs.sourceMask, frame);
+        return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
-  const MaskReader readTarget = countingReader(inputs.target, options.target.path, otherBytes);
+  const MaskReader readTarget =
+      countingReader(inputs.target, maskChannel(inputs.target, stopBeforeTheFirst),
+                     options.target.path, otherBytes);
   GuideStream guides(
       frameCount,
       [&](int frame) {

@@ -214,7 +214,9 @@ TEST_F(HostilePng, AFileThatIsNoLongerAsExpectedIsRefused) {
                                  std::to_string(planned.height) + " pixels at first, then 20x15)";
     EXPECT_EQ(messageOf<Error>([&] { (void)readPng(path_, planned); }), expected);
     EXPECT_EQ(messageOf<Error>([&] { (void)readColor(path_, planned); }), expected);
-    EXPECT_EQ(messageOf<Error>([&] { (void)readCoverage(path_, planned); }), expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)readCoverage(path_, MaskChannel::kAlpha, planned); }),
+              expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)hasTransparency(path_, planned); }), expected);
   }
 }
 

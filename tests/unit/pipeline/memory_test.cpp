@@ -47,8 +47,8 @@ TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
     masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
     if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
   }
-  const MaskReader read =
-      countingReader(masks, "t/%d.png", kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
+  const MaskReader read = countingReader(masks, MaskChannel::kBrightness, "t/%d.png",
+                                         kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
   EXPECT_EQ(countInside(read(0)), countInside(scene.targetMask(1)));
   EXPECT_EQ(countInside(read(1)), countInside(scene.targetMask(2)));
   EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
