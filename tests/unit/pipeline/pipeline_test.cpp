@@ -45,9 +45,9 @@ TEST(Stylize, LeavesTheCallersThreadSettingAsItWas) {
 
 TEST(Stylize, StopsAtEveryStageWhenAsked) {
   constexpr int kFrames = 3;
-  // Asked before each mask of the exemplar, twice, likewise of the target, before each picture,
-  // each frame to paint.
-  constexpr int kBeforeTheFirst = 5 * kFrames;
+  // Asked before each mask of the exemplar, twice, likewise of the target, before each picture, its
+  // guides, each frame to paint.
+  constexpr int kBeforeTheFirst = 6 * kFrames;
   for (int patience = 0; patience < kBeforeTheFirst + kFrames; ++patience) {
     const SmallScene scene(kFrames);
     int asked = 0;

@@ -97,7 +97,8 @@ TEST_F(SynthesizerTest, TheExemplarsFramesInReverseOrderServeEquallyWell) {
     for (Vec2& v : guides.direction) v = -1.0F * v;
     for (Vec2& v : guides.accForward) v = -1.0F * v;
     for (Vec2& v : guides.accBackward) v = -1.0F * v;
-    reversed.setFrame(k, test::paintedDisc(disc_, original, 31), guides);
+    reversed.setColor(k, test::paintedDisc(disc_, original, 31));
+    reversed.setGuides(k, guides);
   }
   reversed.finish();
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
