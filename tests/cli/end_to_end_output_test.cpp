@@ -256,6 +256,36 @@ TEST(EndToEndOutput, TheDumpNeverReplacesAPaintedFrame) {
             0);
 }
 
+TEST(EndToEndOutput, NoFolderTakesTheNameOfAFrame) {
+  const SmallScene scene;
+  const auto before = contentOf(scene);
+  const auto refused = [&](const std::string& outPath, const std::string& dump) {
+    const ProcessResult result =
+        scene.paint(quietly({{"--out-path", outPath}, {"--dump-guides", dump}}));
+    EXPECT_TRUE(contentOf(scene) == before) << dump;
+    return result;
+  };
+  for (const std::string dump : {"o/2.png", "o/../o/2.png", "o/2.png/deep", "o/2.png/target"}) {
+    EXPECT_TRUE(failedWith(
+        2, "--dump-guides " + dump + ": o/2.png is a painted frame; choose another folder",
+        refused("o/%d.png", dump)));
+  }
+  EXPECT_TRUE(
+      failedWith(2,
+                 "--dump-guides o: o/source/00002.mask.png is on the way to the painted frames; "
+                 "choose another folder",
+                 refused("o/source/00002.mask.png/%d.png", "o")));
+  // Numbers that are not there yet count, a later run may find them.
+  EXPECT_TRUE(failedNaming(2, "--dump-guides target/00009.png: a folder ",
+                           {"/target/00009.png would have the name of an input"},
+                           refused("o/%d.png", "target/00009.png")));
+  EXPECT_TRUE(failedNaming(2, "--out-path mask/00009.png/%d.png: a folder ",
+                           {"/mask/00009.png would have the name of an input"},
+                           refused("mask/00009.png/%d.png", "dump")));
+  // Other numbers do no harm.
+  EXPECT_EQ(scene.paint({{"--out-path", "o/%d.png"}, {"--dump-guides", "o/5.png"}}).exitCode, 0);
+}
+
 TEST(EndToEndOutput, OlderFramesAreReplaced) {
   const SmallScene scene;
   const SmallScene::Painting expected = scene.painting();
