@@ -34,6 +34,14 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   return input;
 }
 
+/// The masks of the exemplar have the size of its pictures.
+Size largestStored(const Inputs& inputs) {
+  const auto area = [](Size size) { return std::int64_t{size.width} * size.height; };
+  const Size exemplar = inputs.color.stored;
+  const Size target = inputs.target.stored;
+  return area(exemplar) >= area(target) ? exemplar : target;
+}
+
 /// @throws UsageError when the run needs more than `kMaxRunBytes`.
 void requireMemory(const Options& options, const Inputs& inputs) {
   const RunSize run = sizeOfRun(options, inputs);
@@ -42,8 +50,8 @@ void requireMemory(const Options& options, const Inputs& inputs) {
   throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
                    ": " + std::to_string(run.exemplarFrames) + " frames of " + text(run.exemplar) +
                    " and " + std::to_string(run.targetFrames) + " of " + text(run.target) +
-                   " need about " + gibibytes(bytes) + " of memory; wanted at most " +
-                   gibibytes(kMaxRunBytes) +
+                   ", stored with up to " + text(run.largestStored) + ", need about " +
+                   gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
                    " (--src-frames, --src-scale, --target-scale, --threads)");
 }
 
@@ -71,7 +79,8 @@ Inputs openInputs(const Options& options, const Observer& observer) {
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   return {inputs.color.scaled,  inputs.color.files.count(),
           inputs.target.scaled, inputs.target.files.count(),
-          options.threads,      options.timeBlurSigmaFrames};
+          options.threads,      options.timeBlurSigmaFrames,
+          largestStored(inputs)};
 }
 
 MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fluidymation/synthesis/lanes.h"
+#include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
 
 namespace fluidymation {
@@ -24,6 +25,9 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 // frames, for which this gives 205, 282 and 359.
 constexpr double kReadingBytes = 128.0;
 constexpr double kPaintingBytes = 256.0;
+// Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
+// 16-bit rows. It counts on its own where a frame is scaled down.
+constexpr double kDecodingBytes = 28.0;
 constexpr double kPackedMaskBytes = 1.0 / 8.0;
 
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
@@ -36,12 +40,26 @@ double flowBytes(Size size, int frames, float sigmaFrames) {
   return pixels(size) * (kReadingBytes + sizeof(float) * std::min<double>(frames, window));
 }
 
+/// While a frame is read that may be larger than what it is scaled to.
+double readingBytes(const RunSize& run) {
+  const double surplus = std::max(0.0, pixels(run.largestStored) - pixels(run.exemplar));
+  return pixels(run.exemplar) * kReadingBytes + surplus * kDecodingBytes;
+}
+
+/// Most tiles of a target that are searched at a time.
+int tileCount(Size size) {
+  const auto along = [](int length) { return (length + kTileSidePx - 1) / kTileSidePx; };
+  return along(size.width) * along(size.height);
+}
+
 /// Maps of the finest level's first look and of the search, which leaves the finest level out
 /// unless it is the only one. They do not exist at the same time.
 double occurrenceBytes(const RunSize& run) {
-  const double search = kFilteredMapBytes + kMapBytes * run.threads;
-  const double share = coarsestLevel(run.exemplar, run.target) > 0 ? 0.25 : 1.0;
-  return std::max(kFilteredMapBytes, share * search);
+  const bool finestIsSearched = coarsestLevel(run.exemplar, run.target) == 0;
+  const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
+  const int workers = std::min(run.threads, tileCount(searched));
+  const double search = kFilteredMapBytes + kMapBytes * workers;
+  return std::max(kFilteredMapBytes, (finestIsSearched ? 1.0 : 0.25) * search);
 }
 
 }  // namespace
@@ -51,7 +69,7 @@ std::int64_t bytesOfRun(const RunSize& run) {
                                   kCandidateGrowthBytes + occurrenceBytes(run);
   const double exemplar = pixels(run.exemplar) * run.exemplarFrames * perExemplarPixel;
   const double frame =
-      std::max({pixels(run.exemplar) * kReadingBytes, pixels(run.target) * kPaintingBytes,
+      std::max({readingBytes(run), pixels(run.target) * kPaintingBytes,
                 flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
                 flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames)});
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;
