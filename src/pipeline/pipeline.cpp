@@ -1,7 +1,5 @@
 #include "fluidymation/pipeline.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,23 +23,10 @@
 #include "pipeline/memory.h"
 #include "pipeline/nnf_dump.h"
 #include "pipeline/outputs.h"
+#include "pipeline/thread_count.h"
 
 namespace fluidymation {
 namespace {
-
-/// OpenMP's thread count while a run lasts; the caller's own afterwards.
-class ThreadCount {
- public:
-  explicit ThreadCount(int threads) : before_(omp_get_max_threads()) {
-    omp_set_num_threads(threads);
-  }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount& operator=(const ThreadCount&) = delete;
-  ~ThreadCount() { omp_set_num_threads(before_); }
-
- private:
-  int before_;
-};
 
 /// @throws Interrupted when the caller wants no more.
 void stopIfCancelled(const Observer& observer, int written, int count) {
