@@ -8,6 +8,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/option_table.h"
@@ -17,6 +20,10 @@
 
 namespace fluidymation::cli {
 namespace {
+
+constexpr const char* kHelp = "--help";
+constexpr const char* kShortHelp = "-h";
+constexpr const char* kVersion = "--version";
 
 /// Letters to insert, delete or replace to turn `a` into `b` (Levenshtein).
 [[nodiscard]] std::size_t editDistance(const std::string& a, const std::string& b) {
@@ -73,27 +80,41 @@ namespace {
                    (likely.empty() ? "; see --help" : "; did you mean " + likely + "?"));
 }
 
-/// CLI11 takes "--seed= 5" for "--seed 5"; to us it is an option without a value.
-void refuseEmptyAssignments(int argc, const char* const* argv) {
+[[nodiscard]] bool isFlag(const std::string& name, const std::vector<Spec>& table) {
+  if (name == kHelp || name == kShortHelp || name == kVersion) return true;
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Spec& spec) { return spec.name == name && spec.valueName.empty(); });
+}
+
+/// What CLI11 would let pass: it takes "--seed= 5" for "--seed 5", which to us is an option without
+/// a value, and lets flags be set by "--quiet=true".
+/// @return  names of the options that are given as "--option=value".
+std::set<std::string> checkAssignments(int argc, const char* const* argv,
+                                       const std::vector<Spec>& table) {
+  std::set<std::string> assigned;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     const std::size_t equals = argument.find('=');
-    if (argument.compare(0, 2, "--") == 0 && equals + 1 == argument.size()) {
-      throw UsageError(shown(argument.substr(0, equals), "") + ": wanted --option=value");
-    }
+    if (argument.compare(0, 1, "-") != 0 || equals == std::string::npos) continue;
+    const std::string name = argument.substr(0, equals);
+    const std::string value = argument.substr(equals + 1);
+    if (isFlag(name, table)) throw UsageError(shown(name, value) + ": takes no value");
+    if (value.empty()) throw UsageError(shown(name, "") + ": wanted --option=value");
+    assigned.insert(name);
   }
+  return assigned;
 }
 
 /// The values given for `spec`, checked for number and for a forgotten value.
-void applyOption(const Spec& spec, const std::vector<std::string>& values, CommandLine& line) {
+/// @param assigned  whether as "--option=value": then nothing was forgotten, however it looks.
+void applyOption(const Spec& spec, const std::vector<std::string>& values, bool assigned,
+                 CommandLine& line) {
   if (values.size() > 1) {
     throw UsageError(spec.name + ": given " + std::to_string(values.size()) +
                      " times; wanted once");
   }
   const std::string& value = values.front();
-  if (spec.valueName.empty()) {
-    if (value != "true") throw UsageError(shown(spec.name, value) + ": takes no value");
-  } else if (value.compare(0, 2, "--") == 0) {
+  if (!spec.valueName.empty() && !assigned && value.compare(0, 2, "--") == 0) {
     throw UsageError(spec.name + ": the value is missing (" + shown("option", value) +
                      " follows at once)");
   }
@@ -135,8 +156,8 @@ void describe(CLI::App& app, const std::vector<Spec>& table) {
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   // CLI11 lists groups in the order of their first option, so its own flags come last.
-  app.set_help_flag("-h,--help", "print this text")->group(kRunningGroup);
-  app.add_flag("--version", "print the version")->group(kRunningGroup);
+  app.set_help_flag(std::string(kShortHelp) + "," + kHelp, "print this text")->group(kRunningGroup);
+  app.add_flag(kVersion, "print the version")->group(kRunningGroup);
   app.allow_extras();  // so that the complaint is ours
 }
 
@@ -163,8 +184,9 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   CLI::App app("", "fluidymation");
   describe(app, table);
   CommandLine line;
+  std::set<std::string> assigned;
   try {
-    refuseEmptyAssignments(argc, argv);
+    assigned = checkAssignments(argc, argv, table);
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(std::move(arguments));
@@ -177,7 +199,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(oneLine(error.what()) + " (see --help)");
   }
-  if (app.count("--version") > 0) {
+  if (app.count(kVersion) > 0) {
     line.information = "fluidymation " FLUIDYMATION_VERSION "\n";
     return line;
   }
@@ -187,7 +209,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   // NOLINTEND(concurrency-mt-unsafe)
   for (const Spec& spec : table) {
     const std::vector<std::string> values = app.get_option(spec.name)->results();
-    if (!values.empty()) applyOption(spec, values, line);
+    if (!values.empty()) applyOption(spec, values, assigned.count(spec.name) > 0, line);
   }
   // After the values: what a forgotten value pushed aside is not the user's mistake.
   const std::vector<std::string> extras = app.remaining();

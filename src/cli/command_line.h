@@ -15,7 +15,8 @@ struct CommandLine {
 };
 
 /// Reads the arguments of `main` (argv[0] is the program). Every option appears at most once, as
-/// "--option value" or "--option=value".
+/// "--option value" or "--option=value"; only with '=' may a value begin with "--". Flags take no
+/// value.
 /// @throws UsageError with one line that names the option, what was found and what is wanted.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);
 

@@ -4,10 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "fluidymation/core/error.h"
 
@@ -30,25 +32,60 @@ namespace fs = std::filesystem;
   throw Error(folder + ": files cannot be created in this folder (" + systemReason(code) + ")");
 }
 
-/// Hidden, so that no listing takes it for a frame, and in the folder of `path`, because only
-/// within one file system can a file be renamed. Long names are cut: 255 bytes are the limit.
-[[nodiscard]] std::string temporaryName(const std::string& path) {
+/// 64 random bits as letters, so that no listing takes them for a frame's number.
+[[nodiscard]] std::string randomLetters() {
+  std::array<unsigned char, 8> bytes{};
+  if (getentropy(bytes.data(), bytes.size()) != 0) return "";
+  std::string letters;
+  for (const unsigned char byte : bytes) {
+    letters += static_cast<char>('a' + (byte >> 4U));
+    letters += static_cast<char>('a' + (byte & 15U));
+  }
+  return letters;
+}
+
+struct CreatedFile {
+  std::string path;
+  int descriptor = -1;  ///< -1, and errno says why, where none could be created
+};
+
+/// A new, empty file to be renamed to `path`: hidden, so that no listing takes it for a frame, and
+/// in the same folder, because only within one file system can a file be renamed. Runs that share
+/// the folder may have equal process numbers, on several machines or in several containers: hence a
+/// random name, and one that nobody has. Long names are cut: 255 bytes are the limit.
+[[nodiscard]] CreatedFile createTemporary(const std::string& path) {
   constexpr std::size_t kLongestPart = 200;
+  constexpr mode_t kMode = 0666;  // less the user's mask, as for any new file
+  constexpr int kAttempts = 100;
   const std::size_t slash = path.rfind('/');
   const std::size_t nameBegin = slash == std::string::npos ? 0 : slash + 1;
-  return path.substr(0, nameBegin) + "." + path.substr(nameBegin, kLongestPart) + ".tmp." +
-         std::to_string(getpid());
+  const std::string prefix =
+      path.substr(0, nameBegin) + "." + path.substr(nameBegin, kLongestPart) + ".tmp.";
+  CreatedFile file;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const std::string letters = randomLetters();
+    if (letters.empty()) break;
+    file.path = prefix + letters;
+    // O_EXCL also refuses to follow a link that somebody else puts there.
+    file.descriptor = open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+    if (file.descriptor >= 0 || errno != EEXIST) break;
+  }
+  return file;
 }
 
 /// The file under its temporary name; removed again unless `publish` succeeds.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& path) : path_(path), temporary_(temporaryName(path)) {
-    // What an earlier process of the same number left behind; "x" then refuses to follow a link
-    // that somebody else puts there.
+  explicit TemporaryFile(const std::string& path) : path_(path) {
+    CreatedFile created = createTemporary(path);
+    if (created.descriptor < 0) failToWrite(path_, errno);
+    temporary_ = std::move(created.path);
+    file_ = fdopen(created.descriptor, "wb");
+    if (file_ != nullptr) return;
+    const int code = errno;
+    close(created.descriptor);
     std::remove(temporary_.c_str());
-    file_ = std::fopen(temporary_.c_str(), "wbxe");
-    if (file_ == nullptr) failToWrite(path_, errno);
+    failToWrite(path_, code);
   }
 
   TemporaryFile(const TemporaryFile&) = delete;
@@ -130,12 +167,10 @@ void createFolder(const std::string& folder) {
 }
 
 void checkFolderWritable(const std::string& folder) {
-  const std::string probe = temporaryName(folder + "/write-test");
-  std::remove(probe.c_str());
-  std::FILE* const file = std::fopen(probe.c_str(), "wbxe");
-  if (file == nullptr) failToWriteIn(folder, errno);
-  std::fclose(file);
-  std::remove(probe.c_str());
+  const CreatedFile probe = createTemporary(folder + "/write-test");
+  if (probe.descriptor < 0) failToWriteIn(folder, errno);
+  close(probe.descriptor);
+  std::remove(probe.path.c_str());
 }
 
 }  // namespace fluidymation

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <new>
 #include <system_error>
@@ -136,10 +137,19 @@ void checkPlausible(const Header& header, std::int64_t byteCount, const std::str
                         sizeText(header.size.width, header.size.height) + " pixels it claims");
 }
 
+/// Where libpng reads from, and how many bytes it may still have.
+struct Source {
+  std::FILE* file = nullptr;
+  std::size_t bytesLeft = std::numeric_limits<std::size_t>::max();
+};
+
 void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
-  auto* const file = static_cast<std::FILE*>(png_get_io_ptr(png));
-  if (std::fread(data, 1, byteCount, file) == byteCount) return;
-  png_error(png, std::ferror(file) != 0 ? "it cannot be read to its end" : "it ends too early");
+  auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+  if (byteCount > source.bytesLeft) png_error(png, "there is more data than its pixels need");
+  source.bytesLeft -= byteCount;
+  if (std::fread(data, 1, byteCount, source.file) == byteCount) return;
+  png_error(png,
+            std::ferror(source.file) != 0 ? "it cannot be read to its end" : "it ends too early");
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -149,6 +159,7 @@ void onRead(png_structp png, png_bytep data, std::size_t byteCount) {
 class Reader {
  public:
   Reader(std::FILE* file, const std::string& path) : path_(path) {
+    source_.file = file;
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, libpng::onError,
                                   libpng::onWarning);
     if (png_ == nullptr) throw std::bad_alloc();
@@ -157,7 +168,7 @@ class Reader {
       png_destroy_read_struct(&png_, nullptr, nullptr);
       throw std::bad_alloc();
     }
-    png_set_read_fn(png_, file, onRead);
+    png_set_read_fn(png_, &source_, onRead);
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -172,8 +183,19 @@ class Reader {
     if (!libpng::attempt(png_, body)) failDamaged(path_, message_.data());
   }
 
+  /// Reads a row of `rowBytes` bytes. Runs inside `run`. With the last one of the last sweep libpng
+  /// unpacks all that is left of the pixel data, wanted or not; a few kilobytes may be gigabytes
+  /// then. So it is given no more than the row itself may need.
+  void readRow(png_bytep row, std::size_t rowBytes, bool last) {
+    constexpr std::size_t kSurplus = 16384;  // bytes as stored; libpng reads up to 8192 at a time
+    if (last) source_.bytesLeft = rowBytes + kSurplus;
+    png_read_row(png_, row, nullptr);
+    source_.bytesLeft = std::numeric_limits<std::size_t>::max();
+  }
+
  private:
   const std::string& path_;
+  Source source_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   libpng::Message message_{};
@@ -252,6 +274,57 @@ void decodeRow(const png_byte* row, bool wide, const float* table, int width, Rg
   }
 }
 
+/// A file opened and read up to its pixels.
+struct OpenPicture {
+  OpenFile input;
+  Header header;
+  std::unique_ptr<Reader> reader;
+  RowLayout layout;
+  bool mayBeTransparent = false;  ///< whether the file says anything about alpha
+};
+
+/// @throws Error also when the size is not `expected`.
+[[nodiscard]] OpenPicture openPicture(const std::string& path, std::optional<Size> expected) {
+  OpenPicture picture;
+  picture.input = openPng(path);
+  picture.header = readHeader(picture.input.file.get(), path);
+  checkPlausible(picture.header, picture.input.byteCount, path);
+  std::rewind(picture.input.file.get());
+
+  picture.reader = std::make_unique<Reader>(picture.input.file.get(), path);
+  auto* const png = picture.reader->png();
+  auto* const info = picture.reader->info();
+  Size found;
+  picture.reader->run([&] {
+    setLimits(png);
+    png_read_info(png, info);
+    found = {static_cast<int>(png_get_image_width(png, info)),
+             static_cast<int>(png_get_image_height(png, info))};
+    picture.layout.gamma = declaredGamma(png, info);
+    picture.mayBeTransparent = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                               png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+    expandToRgba(png, info, picture.layout);
+  });
+  // libpng reads the header once more, and somebody may write to the file meanwhile. The rows have
+  // libpng's length, so nothing else than the size that was checked may pass.
+  for (const Size size : {picture.header.size, expected.value_or(picture.header.size)}) {
+    if (found == size) continue;
+    throw Error(path + ": changed while being read (" + sizeText(size.width, size.height) +
+                " pixels at first, then " + sizeText(found.width, found.height) + ")");
+  }
+  return picture;
+}
+
+/// Whether any of `width` RGBA pixels is not opaque.
+[[nodiscard]] bool anyTransparent(const png_byte* row, bool wide, int width) {
+  const std::size_t sampleBytes = wide ? 2 : 1;
+  for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+    const png_byte* alpha = row + (4 * x + 3) * sampleBytes;
+    if (alpha[0] != 0xFF || alpha[sampleBytes - 1] != 0xFF) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Size readPngSize(const std::string& path) {
@@ -262,47 +335,27 @@ Size readPngSize(const std::string& path) {
 }
 
 Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
-  const OpenFile input = openPng(path);
-  const Header header = readHeader(input.file.get(), path);
-  checkPlausible(header, input.byteCount, path);
-  std::rewind(input.file.get());
-
-  Reader reader(input.file.get(), path);
+  const OpenPicture picture = openPicture(path, expected);
+  Reader& reader = *picture.reader;
   auto* const png = reader.png();
-  auto* const info = reader.info();
-  RowLayout layout;
-  Size found;
-  reader.run([&] {
-    setLimits(png);
-    png_read_info(png, info);
-    found = {static_cast<int>(png_get_image_width(png, info)),
-             static_cast<int>(png_get_image_height(png, info))};
-    layout.gamma = declaredGamma(png, info);
-    expandToRgba(png, info, layout);
-  });
-  // libpng reads the header once more, and somebody may write to the file meanwhile. The rows below
-  // have libpng's length, so nothing else than the size that was checked may pass.
-  for (const Size size : {header.size, expected.value_or(header.size)}) {
-    if (found == size) continue;
-    throw Error(path + ": changed while being read (" + sizeText(size.width, size.height) +
-                " pixels at first, then " + sizeText(found.width, found.height) + ")");
-  }
-
+  const RowLayout& layout = picture.layout;
   // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
   const bool keepRows = layout.passes > 1;
-  const int height = header.size.height;
+  const int width = picture.header.size.width;
+  const int height = picture.header.size.height;
   std::vector<png_byte> rows(layout.rowBytes * static_cast<std::size_t>(keepRows ? height : 1));
   const auto rowAt = [&](int y) {
     return rows.data() + (keepRows ? layout.rowBytes * static_cast<std::size_t>(y) : 0);
   };
   const std::vector<float> table = decodingTable(layout);
-  Image<Rgba> image(header.size);
+  Image<Rgba> image(picture.header.size);
   reader.run([&] {
     for (int pass = 0; pass < layout.passes; ++pass) {
       for (int y = 0; y < height; ++y) {
-        png_read_row(png, rowAt(y), nullptr);
-        if (pass + 1 < layout.passes) continue;
-        decodeRow(rowAt(y), layout.wide, table.data(), header.size.width, image.row(y));
+        const bool lastSweep = pass + 1 == layout.passes;
+        reader.readRow(rowAt(y), layout.rowBytes, lastSweep && y + 1 == height);
+        if (!lastSweep) continue;
+        decodeRow(rowAt(y), layout.wide, table.data(), width, image.row(y));
       }
     }
     png_read_end(png, nullptr);  // the check sum of the last pixels, and that the end is there
@@ -319,17 +372,39 @@ Image<Rgb> readColor(const std::string& path, std::optional<Size> expected) {
   return color;
 }
 
-Image<float> readCoverage(const std::string& path, std::optional<Size> expected) {
+bool hasTransparency(const std::string& path, std::optional<Size> expected) {
+  const OpenPicture picture = openPicture(path, expected);
+  if (!picture.mayBeTransparent) return false;
+  Reader& reader = *picture.reader;
+  const RowLayout& layout = picture.layout;
+  const Size size = picture.header.size;
+  std::vector<png_byte> row(layout.rowBytes);
+  bool found = false;
+  reader.run([&] {
+    for (int pass = 0; pass < layout.passes && !found; ++pass) {
+      for (int y = 0; y < size.height && !found; ++y) {
+        // A sweep over an interlaced picture leaves the pixels of the others as they are.
+        std::fill(row.begin(), row.end(), png_byte{0xFF});
+        reader.readRow(row.data(), layout.rowBytes,
+                       pass + 1 == layout.passes && y + 1 == size.height);
+        found = anyTransparent(row.data(), layout.wide, size.width);
+      }
+    }
+  });
+  return found;
+}
+
+Image<float> readCoverage(const std::string& path, MaskChannel channel,
+                          std::optional<Size> expected) {
   const Image<Rgba> image = readPng(path, expected);
-  const bool opaque =
-      std::all_of(image.begin(), image.end(), [](const Rgba& p) { return p.a == 1.0F; });
   const auto luminance = [](const Rgba& p) {
     if (p.r == p.g && p.g == p.b) return p.r;  // gray stays exact
     return 0.2126F * p.r + 0.7152F * p.g + 0.0722F * p.b;
   };
   Image<float> coverage(image.size());
-  std::transform(image.begin(), image.end(), coverage.begin(),
-                 [&](const Rgba& p) { return opaque ? luminance(p) : p.a; });
+  std::transform(image.begin(), image.end(), coverage.begin(), [&](const Rgba& p) {
+    return channel == MaskChannel::kAlpha ? p.a : luminance(p);
+  });
   return coverage;
 }
 

@@ -31,6 +31,14 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   return input;
 }
 
+/// The masks of the exemplar have the size of its pictures.
+Size largestStored(const Inputs& inputs) {
+  const auto area = [](Size size) { return std::int64_t{size.width} * size.height; };
+  const Size exemplar = inputs.color.stored;
+  const Size target = inputs.target.stored;
+  return area(exemplar) >= area(target) ? exemplar : target;
+}
+
 /// @throws UsageError when the run needs more than `kMaxRunBytes`.
 void requireMemory(const Options& options, const Inputs& inputs) {
   const RunSize run = sizeOfRun(options, inputs);
@@ -39,8 +47,9 @@ void requireMemory(const Options& options, const Inputs& inputs) {
   throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
                    ": " + std::to_string(run.exemplarFrames) + " frames of " +
                    sizeText(run.exemplar) + " and " + std::to_string(run.targetFrames) + " of " +
-                   sizeText(run.target) + " need about " + gibibytes(bytes) +
-                   " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
+                   sizeText(run.target) + ", stored with up to " + sizeText(run.largestStored) +
+                   ", need about " + gibibytes(bytes) + " of memory; wanted at most " +
+                   gibibytes(kMaxRunBytes) +
                    " (--src-frames, --src-scale, --target-scale, --threads)");
 }
 
@@ -68,22 +77,31 @@ Inputs openInputs(const Options& options, const Observer& observer) {
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   return {inputs.color.scaled,  inputs.color.files.count(),
           inputs.target.scaled, inputs.target.files.count(),
-          options.threads,      options.timeBlurSigmaFrames};
+          options.threads,      options.timeBlurSigmaFrames,
+          largestStored(inputs)};
 }
 
-Mask readMask(const InputSequence& masks, int frame) {
+MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {
+  for (const std::string& path : masks.files.paths) {
+    beforeFrame();
+    if (hasTransparency(path, masks.stored)) return MaskChannel::kAlpha;
+  }
+  return MaskChannel::kBrightness;
+}
+
+Mask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
-  const Image<float> coverage = resize(readCoverage(path, masks.stored), masks.scaled);
+  const Image<float> coverage = resize(readCoverage(path, channel, masks.stored), masks.scaled);
   Mask mask(masks.scaled);
   std::transform(coverage.begin(), coverage.end(), mask.begin(),
                  [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
   return mask;
 }
 
-MaskReader countingReader(const InputSequence& masks, const std::string& path,
+MaskReader countingReader(const InputSequence& masks, MaskChannel channel, const std::string& path,
                           std::int64_t otherBytes) {
-  return [&masks, path, bytes = otherBytes](int frame) mutable {
-    Mask mask = readMask(masks, frame);
+  return [&masks, channel, path, bytes = otherBytes](int frame) mutable {
+    Mask mask = readMask(masks, channel, frame);
     bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
     if (bytes <= kMaxRunBytes) return mask;
     throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "fluidymation/core/color.h"
@@ -8,6 +9,7 @@
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/io/frame_sequence.h"
+#include "fluidymation/io/png.h"
 #include "fluidymation/options.h"
 #include "fluidymation/pipeline.h"
 #include "pipeline/memory.h"
@@ -34,17 +36,24 @@ struct Inputs {
 
 [[nodiscard]] RunSize sizeOfRun(const Options& options, const Inputs& inputs);
 
+/// Alpha where any frame of the sequence is not opaque everywhere, else brightness. Decided for the
+/// whole sequence: a frame that its shape covers wholly is opaque everywhere too.
+/// @param beforeFrame  called before each look at a file.
+/// @throws Error naming the file.
+[[nodiscard]] MaskChannel maskChannel(const InputSequence& masks,
+                                      const std::function<void()>& beforeFrame);
+
 /// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
 /// @throws Error naming the file, also when its size is no longer the one found at first.
-[[nodiscard]] Mask readMask(const InputSequence& masks, int frame);
+[[nodiscard]] Mask readMask(const InputSequence& masks, MaskChannel channel, int frame);
 
 /// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
 /// @param masks       must outlive the reader.
 /// @param path        of --target-path, for the message.
 /// @param otherBytes  what the run needs besides.
 /// @return  throws UsageError once the sum is above `kMaxRunBytes`.
-[[nodiscard]] MaskReader countingReader(const InputSequence& masks, const std::string& path,
-                                        std::int64_t otherBytes);
+[[nodiscard]] MaskReader countingReader(const InputSequence& masks, MaskChannel channel,
+                                        const std::string& path, std::int64_t otherBytes);
 
 /// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
 [[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);

@@ -4,6 +4,7 @@
 
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/synthesis/lanes.h"
+#include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
 
 namespace fluidymation {
@@ -31,6 +32,9 @@ constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
 constexpr double kPaintingBytes = 256.0;
+// Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
+// 16-bit rows. It counts on its own where a frame is scaled down.
+constexpr double kDecodingBytes = 28.0;
 constexpr double kPackedMaskBytes = 1.0 / 8.0;
 
 // The program with its libraries, and what does not grow with the pictures.
@@ -46,10 +50,23 @@ double flowBytes(Size size, int frames, float sigmaFrames) {
          (kGuideBytes + kSolverBytes + sizeof(float) * std::min<double>(frames, window));
 }
 
+/// While a frame is decoded: what it takes beyond the size that it is scaled to.
+double decodingBytes(const RunSize& run, Size scaled) {
+  return std::max(0.0, pixels(run.largestStored) - pixels(scaled)) * kDecodingBytes;
+}
+
+/// Most tiles of a target that are searched at a time.
+int tileCount(Size size) {
+  const auto along = [](int length) { return (length + kTileSidePx - 1) / kTileSidePx; };
+  return along(size.width) * along(size.height);
+}
+
 /// The maps of the search, which leaves the finest level out unless it is the only one.
 double occurrenceBytes(const RunSize& run) {
-  const double share = coarsestLevel(run.exemplar, run.target) > 0 ? 0.25 : 1.0;
-  return share * (kFilteredMapBytes + kMapBytes * run.threads);
+  const bool finestIsSearched = coarsestLevel(run.exemplar, run.target) == 0;
+  const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
+  const int workers = std::min(run.threads, tileCount(searched));
+  return (finestIsSearched ? 1.0 : 0.25) * (kFilteredMapBytes + kMapBytes * workers);
 }
 
 }  // namespace
@@ -58,14 +75,17 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
   const double stream = exemplarVolume * (kPackedMaskBytes + kAccumulatedBytes);
   const double flow =
-      stream + std::max(flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
-                        flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames));
+      stream + std::max({decodingBytes(run, {}),
+                         flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
+                         flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames)});
 
   const double exemplar =
       exemplarVolume * (kPyramidFactor * kLevelBytes + kPackedMaskBytes + kAccumulatedBytes +
                         kUnreturnedBytes + kCandidateGrowthBytes);
   constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
-  const double reading = exemplar + pixels(run.exemplar) * std::max(kReadingBytes, kGuidesAtWork);
+  const double reading =
+      exemplar + std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
+                          pixels(run.exemplar) * kGuidesAtWork);
   const double painting = exemplar + std::max(pixels(run.target) * kGuidesAtWork,
                                               pixels(run.target) * kPaintingBytes +
                                                   exemplarVolume * occurrenceBytes(run));

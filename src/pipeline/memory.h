@@ -18,6 +18,7 @@ struct RunSize {
   int targetFrames = 0;
   int threads = 1;
   float timeBlurSigmaFrames = 0.0F;
+  Size largestStored;  ///< of all frames read, before scaling
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

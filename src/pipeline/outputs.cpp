@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include "fluidymation/core/error.h"
@@ -16,6 +17,13 @@ namespace {
 /// Whether a dump into `folder` can write `path`.
 bool isDumpFile(const std::filesystem::path& folder, const std::filesystem::path& path) {
   return path.parent_path() == folder && isDumpName(path.filename().string());
+}
+
+/// `folder` (canonical) and all it is in: what is created where it is missing.
+std::vector<std::filesystem::path> withParents(std::filesystem::path folder) {
+  std::vector<std::filesystem::path> folders;
+  for (; folder.has_relative_path(); folder = folder.parent_path()) folders.push_back(folder);
+  return folders;
 }
 
 /// Names in `folder` that a dump could write and that are there already.
@@ -45,6 +53,34 @@ std::vector<std::string> endangeredNames(const std::string& folder, const Protec
   return names;
 }
 
+/// @throws UsageError where a painted frame and the dump want one name, for a file or for a folder
+/// on the way to one.
+void requireApart(const Options& options, const std::vector<std::string>& dumpFolders,
+                  const std::vector<std::string>& painted) {
+  const std::string option = "--dump-guides " + *options.dumpGuidesDirectory + ": ";
+  const std::string frameFolder = FramePattern(options.outPath).folder();
+  const std::vector<std::filesystem::path> frameFolders = withParents(canonical(frameFolder));
+  std::map<std::filesystem::path, std::string> frames;
+  for (const std::string& path : painted) frames.emplace(canonical(path), path);
+  for (const std::string& dumpFolder : dumpFolders) {
+    const std::filesystem::path folder = canonical(dumpFolder);
+    for (const auto& [frame, path] : frames) {
+      if (!isDumpFile(folder, frame)) continue;
+      throw UsageError(option + path + " is a painted frame; choose another folder");
+    }
+    for (const std::filesystem::path& onTheWay : withParents(folder)) {
+      const auto frame = frames.find(onTheWay);
+      if (frame == frames.end()) continue;
+      throw UsageError(option + frame->second + " is a painted frame; choose another folder");
+    }
+    for (const std::filesystem::path& onTheWay : frameFolders) {
+      if (!isDumpFile(folder, onTheWay)) continue;
+      throw UsageError(option + dumpFolder + "/" + onTheWay.filename().string() +
+                       " is on the way to the painted frames; choose another folder");
+    }
+  }
+}
+
 /// @throws UsageError where the dump would replace a painted frame, an input or itself; Error where
 /// a name is taken by something that cannot be replaced.
 void checkDump(const Options& options, const Inputs& inputs, const ProtectedFiles& protectedFiles,
@@ -64,10 +100,9 @@ void checkDump(const Options& options, const Inputs& inputs, const ProtectedFile
       throw UsageError(option + folder + "/" + endangered.front() +
                        " is an input and would be overwritten; choose another folder");
     }
-    for (const std::string& path : painted) {
-      if (!isDumpFile(canonical(folder), canonical(path))) continue;
-      throw UsageError(option + path + " is a painted frame; choose another folder");
-    }
+  }
+  requireApart(options, {sourceFolder, targetFolder}, painted);
+  for (const std::string& folder : {sourceFolder, targetFolder}) {
     for (const std::string& name : existingDumpNames(folder)) {
       checkReplaceable((std::filesystem::path(folder) / name).string());
     }
@@ -82,6 +117,19 @@ std::vector<std::string> outputFolders(const Options& options) {
     folders.push_back(dumpFolder(options, "target"));
   }
   return folders;
+}
+
+/// Later runs would take such a folder for a frame of the input.
+/// @throws UsageError when `folder`, or one on the way to it, is missing and has an input's name.
+void requireNoFrameNames(const std::string& option, const std::string& folder,
+                         const ProtectedFiles& protectedFiles) {
+  std::error_code ignored;
+  for (const std::filesystem::path& onTheWay : withParents(canonical(folder))) {
+    if (std::filesystem::exists(onTheWay, ignored)) return;
+    if (!protectedFiles.contains(onTheWay.string())) continue;
+    throw UsageError(option + ": a folder " + onTheWay.string() +
+                     " would have the name of an input; choose another one");
+  }
 }
 
 }  // namespace
@@ -101,7 +149,14 @@ std::vector<std::string> checkOutput(const Options& options, const Inputs& input
                        " is an input and would be overwritten; choose another --out-path");
     }
   }
-  if (options.dumpGuidesDirectory) checkDump(options, inputs, protectedFiles, paths);
+  requireNoFrameNames("--out-path " + options.outPath, pattern.folder(), protectedFiles);
+  if (options.dumpGuidesDirectory) {
+    checkDump(options, inputs, protectedFiles, paths);
+    for (const char* sequence : {"source", "target"}) {
+      requireNoFrameNames("--dump-guides " + *options.dumpGuidesDirectory,
+                          dumpFolder(options, sequence), protectedFiles);
+    }
+  }
   for (const std::string& folder : outputFolders(options)) checkFolderCreatable(folder);
   for (const std::string& path : paths) checkReplaceable(path);
   return paths;

@@ -1,7 +1,5 @@
 #include "fluidymation/pipeline.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,23 +23,10 @@
 #include "pipeline/memory.h"
 #include "pipeline/nnf_dump.h"
 #include "pipeline/outputs.h"
+#include "pipeline/thread_count.h"
 
 namespace fluidymation {
 namespace {
-
-/// OpenMP's thread count while a run lasts; the caller's own afterwards.
-class ThreadCount {
- public:
-  explicit ThreadCount(int threads) : before_(omp_get_max_threads()) {
-    omp_set_num_threads(threads);
-  }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount& operator=(const ThreadCount&) = delete;
-  ~ThreadCount() { omp_set_num_threads(before_); }
-
- private:
-  int before_;
-};
 
 /// @throws Interrupted when the caller wants no more.
 void stopIfCancelled(const Observer& observer, int written, int count) {
@@ -65,25 +50,34 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
               "check the masks or lower --blur-sigma");
 }
 
-/// Reads the exemplar's pictures and builds its pyramid; dumps its guides where that is wanted.
+/// The exemplar with its colours, which are all that is read of it after the masks.
 /// @throws Interrupted, Error.
-Exemplar readExemplar(const Options& options, const Inputs& inputs, GuideStream& guides,
-                      const Observer& observer) {
+Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     options.synthesis.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     stopIfCancelled(observer, 0, inputs.target.files.count());
+    exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
+  }
+  return exemplar;
+}
+
+/// Completes the exemplar by its guides, and dumps them where that is wanted.
+/// @throws Interrupted, Error.
+void addGuides(const Options& options, const Inputs& inputs, GuideStream& guides,
+               const Observer& observer, Exemplar& exemplar) {
+  for (int k = 0; k < exemplar.frameCount(); ++k) {
+    stopIfCancelled(observer, 0, inputs.target.files.count());
     const GuideFrame frame = guides.next();
     const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
     tellOfFlow(observer, "--src-mask-path " + options.sourceMaskPath, number, frame);
-    exemplar.setFrame(k, toLab(readPicture(inputs.color, k)), frame);
+    exemplar.setGuides(k, frame);
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "source"), number, frame);
     }
   }
   exemplar.finish();
-  return exemplar;
 }
 
 /// Straight alpha: painted and opaque inside the mask, fully transparent elsewhere.
@@ -111,20 +105,23 @@ void stylize(const Options& options, const Observer& observer) {
   const int frameCount = inputs.target.files.count();
   const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
 
-  // All masks are read before anything is written: a damaged one must leave neither half a dump nor
-  // an empty folder.
+  // All files are read before anything is written, and only masks and colours are kept: a damaged
+  // one must leave neither half a dump nor an empty folder.
+  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
         stopBeforeTheFirst();
-        return readMask(inputs.sourceMask, frame);
+        return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
   MaskOptions targetMask = options.sourceMask;
   targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
-  const MaskReader readTarget = countingReader(inputs.target, options.target.path, otherBytes);
+  const MaskReader readTarget =
+      countingReader(inputs.target, maskChannel(inputs.target, stopBeforeTheFirst),
+                     options.target.path, otherBytes);
   GuideStream guides(
       frameCount,
       [&](int frame) {
@@ -132,8 +129,9 @@ void stylize(const Options& options, const Observer& observer) {
         return readTarget(frame);
       },
       GuideOptions{targetMask, options.timeBlurSigmaFrames});
+  Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
-  const Exemplar exemplar = readExemplar(options, inputs, sourceGuides, observer);
+  addGuides(options, inputs, sourceGuides, observer, exemplar);
   Synthesizer synthesizer(exemplar, options.synthesis);
 
   if (observer.paintingBegins) observer.paintingBegins(frameCount);

@@ -16,14 +16,24 @@ ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx)
   segments_.resize(volume, Segment::kOutside);
 }
 
-void ExemplarLevel::setFrame(int frame, const Image<Lab>& color, const GuideLevel& guides) {
-  assert(color.size() == size_ && guides.mask.size() == size_);
+void ExemplarLevel::setColor(int frame, const Image<Lab>& color) {
+  assert(color.size() == size_);
   forEachRow(size_.height, [&](int y) {
     for (int x = 0; x < size_.width; ++x) {
       const Lab lab = color(x, y);
+      Lanes& pixel = pixels_[offset(x, y, frame)];
+      pixel.low = Float4{lab.l, lab.a, lab.b, pixel[kEdge]};
+    }
+  });
+}
+
+void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
+  assert(guides.mask.size() == size_);
+  forEachRow(size_.height, [&](int y) {
+    for (int x = 0; x < size_.width; ++x) {
       const Vec2 direction = guides.direction(x, y);
       Lanes& pixel = pixels_[offset(x, y, frame)];
-      pixel.low = Float4{lab.l, lab.a, lab.b, edgeChannel(guides.distance(x, y), borderWidthPx_)};
+      pixel.low[kEdge] = edgeChannel(guides.distance(x, y), borderWidthPx_);
       pixel.high = Float4{guides.extForward(x, y) / kExtUnitPx,
                           guides.extBackward(x, y) / kExtUnitPx, direction.x, direction.y};
       segments_[offset(x, y, frame)] = guides.segment(x, y, borderWidthPx_);
@@ -62,15 +72,21 @@ Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx)
   accBackward_.resize(static_cast<std::size_t>(frameCount));
 }
 
-void Exemplar::setFrame(int frame, const Image<Lab>& color, const GuideFrame& guides) {
+void Exemplar::setColor(int frame, const Image<Lab>& color) {
+  levels_.front().setColor(frame, color);
+  if (levelCount() == 1) return;
+  Image<Lab> coarser = halve(color);
+  for (int l = 1; l < levelCount(); ++l) {
+    if (l > 1) coarser = halve(coarser);
+    levels_[static_cast<std::size_t>(l)].setColor(frame, coarser);
+  }
+}
+
+void Exemplar::setGuides(int frame, const GuideFrame& guides) {
   GuideLevel guideLevel = finestLevel(guides);
-  Image<Lab> colorLevel = color.clone();
   for (int l = 0; l < levelCount(); ++l) {
-    if (l > 0) {
-      guideLevel = halve(guideLevel);
-      colorLevel = halve(colorLevel);
-    }
-    levels_[static_cast<std::size_t>(l)].setFrame(frame, colorLevel, guideLevel);
+    if (l > 0) guideLevel = halve(guideLevel);
+    levels_[static_cast<std::size_t>(l)].setGuides(frame, guideLevel);
   }
   accForward_[static_cast<std::size_t>(frame)] = guides.accForward.clone();
   accBackward_[static_cast<std::size_t>(frame)] = guides.accBackward.clone();

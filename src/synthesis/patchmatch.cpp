@@ -16,10 +16,6 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// Side of the tiles that are searched independently between two synchronizations, px of the
-/// level. A property of the picture: the number of threads must not show.
-constexpr int kTileSidePx = 64;
-
 Random randomAt(const SearchProblem& problem, int pass, int x, int y) {
   return Random({problem.options.seed, problem.place.frame, problem.place.level, pass, x, y});
 }

@@ -431,6 +431,27 @@ TEST(EndToEndFrames, ThreadsChangeNoByte) {
   EXPECT_TRUE(scene.painting({{"--threads", "2"}, {"--seed", "1"}}) != one);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FLUIDYMATION_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FLUIDYMATION_SANITIZED 1
+#endif
+#endif
+
+TEST(EndToEndFrames, ThreadsThatCannotBeStartedAreRefusedBeforeAnythingElse) {
+#ifdef FLUIDYMATION_SANITIZED
+  GTEST_SKIP() << "sanitizers need terabytes of address space";
+#endif
+  const SmallScene scene(1);
+  ProcessSetup setup;
+  setup.addressSpaceBytes = 1'000'000'000;  // a thread's stack takes 2 or 8 MB of it
+  EXPECT_TRUE(failedNaming(1, "--threads 1024: only ", {" can be started (", "wanted fewer"},
+                           scene.paint({{"--quiet", ""}, {"--threads", "1024"}}, setup)));
+  EXPECT_TRUE(scene.names("out").empty());
+  EXPECT_EQ(scene.paint({{"--quiet", ""}, {"--threads", "2"}}, setup).exitCode, 0);
+}
+
 TEST(EndToEndFrames, TheEnvironmentChangesNoByte) {
   const SmallScene scene(2);
   const Painting expected = scene.painting();

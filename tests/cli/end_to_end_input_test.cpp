@@ -389,6 +389,32 @@ TEST(EndToEndInput, AMaskWithAlphaIsItsAlpha) {
   }
 }
 
+TEST(EndToEndInput, OneFrameWithAlphaMakesItAlphaForTheSequence) {
+  const SmallScene scene(3);
+  const Mask full(scene.targetMask(1).size(), 1);
+  scene.write(SmallScene::frame("target", 2), maskPng(full));
+  const SmallScene::Painting expected = scene.painting();
+  // Black shapes; the second covers its frame wholly, so that nothing of it is transparent.
+  for (const int number : {1, 2, 3}) {
+    scene.write(
+        SmallScene::frame("target", number),
+        alphaMask(number == 2 ? full.clone() : scene.targetMask(number), PngColor::kRgba, 8));
+  }
+  EXPECT_TRUE(scene.painting() == expected);
+  // Some tools then leave the alpha channel out.
+  PngSpec black;
+  black.size = full.size();
+  black.samples.assign(full.pixelCount(), 0);
+  scene.write(SmallScene::frame("target", 2), makePng(black));
+  EXPECT_TRUE(scene.painting() == expected);
+  // Nor does it matter which frame it is.
+  const ToolOptions fromTheSecond = {{"--target-start", "2"}, {"--target-frames", "2"}};
+  const SmallScene::Painting black23 = scene.painting(fromTheSecond);
+  scene.write(SmallScene::frame("target", 2), maskPng(full));
+  scene.write(SmallScene::frame("target", 3), maskPng(scene.targetMask(3)));
+  EXPECT_TRUE(scene.painting(fromTheSecond) == black23);
+}
+
 TEST(EndToEndInput, TheAlphaOfAnExemplarIsIgnored) {
   const SmallScene scene(1);
   const ToolOptions one = {{"--src-frames", "1"}, {"--target-frames", "1"}};

@@ -173,6 +173,10 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
       const rlimit limit{*setup.largestFileBytes, *setup.largestFileBytes};
       setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (setup.addressSpaceBytes) {
+      const rlimit limit{*setup.addressSpaceBytes, *setup.addressSpaceBytes};
+      setrlimit(RLIMIT_AS, &limit);
+    }
     // Where the tests run in the background of a script the shell has these ignored.
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);

@@ -26,6 +26,8 @@ struct ProcessSetup {
   std::map<std::string, std::string> environment;  ///< added to the test's own
   /// No file may become larger: stands for a full disk, which shows in the same calls.
   std::optional<std::uint64_t> largestFileBytes;
+  /// No more address space than this, as after ulimit -v. Not for programs with a sanitizer.
+  std::optional<std::uint64_t> addressSpaceBytes;
   /// As an ordinary user where the test runs as root; the folder has to be that user's.
   bool unprivileged = false;
   /// Sent once, as soon as the program has written anything to standard error.

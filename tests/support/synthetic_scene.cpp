@@ -78,7 +78,8 @@ Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx
                       std::uint64_t seed) {
   Exemplar exemplar(disc.size, disc.frameCount, coarsest, borderWidthPx);
   for (int k = 0; k < disc.frameCount; ++k) {
-    exemplar.setFrame(k, paintedDisc(disc, k, seed), disc.guides(k));
+    exemplar.setColor(k, paintedDisc(disc, k, seed));
+    exemplar.setGuides(k, disc.guides(k));
   }
   exemplar.finish();
   return exemplar;

@@ -12,7 +12,8 @@ using ByteSink = std::function<void(const void* data, std::size_t byteCount)>;
 /// Creates or replaces `path` as one step: `write` fills a temporary file in the same folder, which
 /// is flushed to disk and renamed. When anything fails the temporary file is removed and an
 /// older `path` stays as it was. A process that is killed meanwhile leaves the temporary file
-/// behind, as .NAME.tmp.PID: hidden, and nobody else's.
+/// behind, as .NAME.tmp.LETTERS: hidden, and nobody else's, because the letters are random. Any
+/// number of writers may write `path` at a time: the last one to finish wins.
 /// @throws Error naming `path` and the system's reason; whatever `write` throws.
 void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write);
 

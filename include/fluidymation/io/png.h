@@ -44,10 +44,19 @@ struct Rgba {
 [[nodiscard]] Image<Rgb> readColor(const std::string& path,
                                    std::optional<Size> expected = std::nullopt);
 
-/// What a mask image means, in [0, 1]: its alpha where the image has an alpha that is not opaque
-/// everywhere, else its luminance (Rec. 709 weights on the encoded values). Inside is from 0.5 up.
-/// `expected` as for `readPng`.
-[[nodiscard]] Image<float> readCoverage(const std::string& path,
+/// Whether any pixel is not opaque: by its alpha, or by the transparency of its palette entry or
+/// colour. Unpacks rows only where the file has one of these, and no further than the first such
+/// pixel; what comes after it is not checked. Needs memory for one row. `expected` as for
+/// `readPng`.
+[[nodiscard]] bool hasTransparency(const std::string& path,
+                                   std::optional<Size> expected = std::nullopt);
+
+/// What of a mask image tells inside from outside.
+enum class MaskChannel { kAlpha, kBrightness };
+
+/// What a mask image means, in [0, 1]: its alpha, or its luminance (Rec. 709 weights on the encoded
+/// values). Inside is from 0.5 up. `expected` as for `readPng`.
+[[nodiscard]] Image<float> readCoverage(const std::string& path, MaskChannel channel,
                                         std::optional<Size> expected = std::nullopt);
 
 /// 8-bit straight-alpha pixel as written.

@@ -20,10 +20,11 @@ class ExemplarLevel {
  public:
   ExemplarLevel(Size size, int frameCount, float borderWidthPx);
 
-  /// Fills frame k. `guides` and `color` have this level's size.
-  void setFrame(int frame, const Image<Lab>& color, const GuideLevel& guides);
+  /// Fill frame k, in any order. `color` and `guides` have this level's size.
+  void setColor(int frame, const Image<Lab>& color);
+  void setGuides(int frame, const GuideLevel& guides);
 
-  /// Completes the level after the last `setFrame`: lists the pixels of each segment.
+  /// Completes the level when all frames are filled: lists the pixels of each segment.
   void finish();
 
   [[nodiscard]] Size size() const { return size_; }
@@ -87,8 +88,9 @@ class Exemplar {
   /// @param coarsest  number of the coarsest level wanted.
   Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx);
 
-  /// Fills frame k; every frame must be set once before `finish`.
-  void setFrame(int frame, const Image<Lab>& color, const GuideFrame& guides);
+  /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
+  void setColor(int frame, const Image<Lab>& color);
+  void setGuides(int frame, const GuideFrame& guides);
   void finish();
 
   [[nodiscard]] const ExemplarLevel& level(int l) const {

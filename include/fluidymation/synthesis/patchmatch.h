@@ -40,6 +40,10 @@ void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf);
 [[nodiscard]] Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& weights,
                                        const NearestNeighborField& nnf);
 
+/// Side of the tiles that are searched independently between two synchronizations, px of the
+/// level. A property of the picture: the number of threads must not show.
+inline constexpr int kTileSidePx = 64;
+
 /// findNNF: `iterations` sweeps of PatchMatch (thesis §2.2, §4.3, §4.4.2). All matches must be
 /// legal before; they are after.
 ///

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <thread>
 
 #include "fluidymation/core/error.h"
 #include "support/privileges.h"
@@ -139,16 +143,83 @@ TEST(AtomicFile, ReplacesNeitherFoldersNorDevices) {
             "/dev/null: cannot be written (it exists and is no regular file)");
 }
 
-TEST(AtomicFile, WritesTheLongestNamesAndReplacesItsOwnLeftovers) {
+TEST(AtomicFile, WritesTheLongestNames) {
   const TemporaryFolder folder;
   const std::string longest(255, 'n');
   writeText(folder.file(longest), "x");
   EXPECT_EQ(folder.names(), Names{longest});
+}
 
-  const std::string leftover = ".a.tmp." + std::to_string(getpid());
-  test::writeBytes(folder.file(leftover), bytesOf("left by a crash"));
+TEST(AtomicFile, NewFilesHaveTheUsersPermissions) {
+  const TemporaryFolder folder;
+  const mode_t before = umask(027);
   writeText(folder.file("a"), "x");
-  EXPECT_EQ(folder.names(), (Names{"a", longest}));
+  umask(before);
+  EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms{0640});
+}
+
+TEST(AtomicFile, TemporaryFilesOfOthersStay) {
+  // Of a run in another container, where the process numbers are the same.
+  const TemporaryFolder folder;
+  const std::string number = std::to_string(getpid());
+  const Names others = {".a.tmp." + number, ".write-test.tmp." + number};
+  for (const std::string& name : others) test::writeBytes(folder.file(name), bytesOf("theirs"));
+  writeText(folder.file("a"), "x");
+  checkFolderWritable(folder.path());
+  EXPECT_EQ(folder.names(), (Names{others[0], others[1], "a"}));
+  for (const std::string& name : others) EXPECT_EQ(readBytes(folder.file(name)), bytesOf("theirs"));
+}
+
+TEST(AtomicFile, WritersOfOneNameDoNotMeet) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a");
+  writeAtomically(path, [&](const ByteSink& sink) {
+    sink("first ", 6);
+    writeText(path, "other");
+    EXPECT_EQ(readBytes(path), bytesOf("other"));
+    sink("second", 6);
+  });
+  EXPECT_EQ(readBytes(path), bytesOf("first second"));
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+/// Writes `path` over and over, each time with `size` bytes of one letter.
+void writeRepeatedly(const std::string& path, char letter, std::size_t size) {
+  constexpr int kTimes = 40;
+  for (int i = 0; i < kTimes; ++i) writeText(path, std::string(size, letter));
+}
+
+TEST(AtomicFile, ConcurrentWritersLeaveWholeFilesOnly) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a");
+  const auto sizeOf = [](char letter) {
+    return std::size_t{50000} + 10000U * static_cast<unsigned>(letter - 'a');
+  };
+  writeText(path, std::string(sizeOf('a'), 'a'));
+  const pid_t child = fork();
+  if (child == 0) {
+    writeRepeatedly(path, 'a', sizeOf('a'));
+    _exit(0);
+  }
+  std::atomic<int> running{2};
+  std::vector<std::thread> writers;
+  for (const char letter : {'b', 'c'}) {
+    writers.emplace_back([&, letter] {
+      writeRepeatedly(path, letter, sizeOf(letter));
+      --running;
+    });
+  }
+  while (running > 0) {
+    const test::Bytes found = readBytes(path);
+    ASSERT_FALSE(found.empty());
+    const char letter = static_cast<char>(found.front());
+    EXPECT_EQ(found, bytesOf(std::string(sizeOf(letter), letter)));
+  }
+  for (std::thread& writer : writers) writer.join();
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(folder.names(), Names{"a"});
 }
 
 TEST(CreateFolder, CreatesParentsAndAcceptsWhatExists) {

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 #include <random>
 
@@ -118,6 +119,33 @@ TEST_F(HostilePng, PixelsThatEndEarlyAreRefused) {
             path_ + ": damaged PNG file (Not enough image data)");
 }
 
+TEST_F(HostilePng, PixelsWithoutEndAreRefused) {
+  constexpr std::size_t kNeeded = 9 * 64;
+  const std::string expected =
+      path_ + ": damaged PNG file (there is more data than its pixels need)";
+  const auto complaintOf = [&](const std::vector<Bytes>& pixels, int interlace) {
+    std::vector<PngChunk> chunks = {{"IHDR", test::pngHeader(64, 64, 1, 0, interlace)}};
+    for (const Bytes& part : pixels) chunks.push_back({"IDAT", part});
+    chunks.push_back({"IEND", {}});
+    return complaint(test::joinPng(chunks));
+  };
+  for (const int interlace : {0, 1}) {
+    EXPECT_EQ(complaintOf({test::deflatedZeros(kNeeded + 2000)}, interlace), "")
+        << "what some encoders leave behind the last row does no harm";
+    const Bytes bomb = test::deflatedZeros(kNeeded + 60'000'000);
+    EXPECT_EQ(complaintOf({bomb}, interlace), expected);
+    // However it is cut into chunks.
+    constexpr std::ptrdiff_t kPart = 100;
+    std::vector<Bytes> parts;
+    for (auto at = bomb.begin(); at != bomb.end();) {
+      const auto end = at + std::min(kPart, bomb.end() - at);
+      parts.emplace_back(at, end);
+      at = end;
+    }
+    EXPECT_EQ(complaintOf(parts, interlace), expected);
+  }
+}
+
 TEST_F(HostilePng, GiganticClaimsAreRefusedFromTheHeader) {
   const Bytes pixels = test::deflatedZeros(100);
   const auto claim = [&](std::uint32_t width, std::uint32_t height) {
@@ -186,7 +214,9 @@ TEST_F(HostilePng, AFileThatIsNoLongerAsExpectedIsRefused) {
                                  std::to_string(planned.height) + " pixels at first, then 20x15)";
     EXPECT_EQ(messageOf<Error>([&] { (void)readPng(path_, planned); }), expected);
     EXPECT_EQ(messageOf<Error>([&] { (void)readColor(path_, planned); }), expected);
-    EXPECT_EQ(messageOf<Error>([&] { (void)readCoverage(path_, planned); }), expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)readCoverage(path_, MaskChannel::kAlpha, planned); }),
+              expected);
+    EXPECT_EQ(messageOf<Error>([&] { (void)hasTransparency(path_, planned); }), expected);
   }
 }
 

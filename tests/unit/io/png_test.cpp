@@ -169,22 +169,74 @@ TEST(Png, DeclaredGammaIsUndoneUnlessItIsSrgbLike) {
   EXPECT_NEAR(readWith(1.0 / 1.8, false), srgbEncode(std::pow(stored, 1.8F)), 1e-4F);
 }
 
-TEST(Png, CoverageIsLuminanceOfOpaqueImagesElseAlpha) {
+TEST(Png, CoverageIsAlphaOrLuminance) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   PngSpec spec;
   spec.size = {2, 1};
   spec.color = PngColor::kRgba;
-  spec.samples = {255, 0, 0, 255, 128, 128, 128, 255};
+  spec.samples = {255, 0, 0, 254, 128, 128, 128, 255};
   test::writeBytes(path, test::makePng(spec));
-  EXPECT_NEAR(readCoverage(path)(0, 0), 0.2126F, 1e-6F);
-  EXPECT_EQ(readCoverage(path)(1, 0), 128.0F / 255.0F);
-
-  spec.samples[3] = 254;
-  test::writeBytes(path, test::makePng(spec));
-  EXPECT_EQ(readCoverage(path)(0, 0), 254.0F / 255.0F);
-  EXPECT_EQ(readCoverage(path)(1, 0), 1.0F);
+  EXPECT_NEAR(readCoverage(path, MaskChannel::kBrightness)(0, 0), 0.2126F, 1e-6F);
+  EXPECT_EQ(readCoverage(path, MaskChannel::kBrightness)(1, 0), 128.0F / 255.0F);
+  EXPECT_EQ(readCoverage(path, MaskChannel::kAlpha)(0, 0), 254.0F / 255.0F);
+  EXPECT_EQ(readCoverage(path, MaskChannel::kAlpha)(1, 0), 1.0F);
   EXPECT_EQ(readColor(path)(0, 0).r, 1.0F) << "alpha does not touch the colour";
+}
+
+TEST(Png, TransparencyIsFoundWhereverItIs) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  const auto transparent = [&](const PngSpec& spec) {
+    test::writeBytes(path, test::makePng(spec));
+    return hasTransparency(path);
+  };
+  for (const PngColor color : {PngColor::kGrayAlpha, PngColor::kRgba}) {
+    for (const int bitDepth : {8, 16}) {
+      for (const bool interlaced : {false, true}) {
+        const auto channels = static_cast<std::size_t>(test::channelsOf(color));
+        const auto largest = static_cast<std::uint16_t>((1 << bitDepth) - 1);
+        PngSpec spec;
+        spec.size = {6, 5};
+        spec.color = color;
+        spec.bitDepth = bitDepth;
+        spec.interlaced = interlaced;
+        spec.samples.assign(6 * 5 * channels, 0);
+        for (std::size_t i = channels - 1; i < spec.samples.size(); i += channels) {
+          spec.samples[i] = largest;
+        }
+        EXPECT_FALSE(transparent(spec));
+        for (std::size_t i = channels - 1; i < spec.samples.size(); i += channels) {
+          spec.samples[i] = static_cast<std::uint16_t>(largest - 1);
+          EXPECT_TRUE(transparent(spec)) << i;
+          spec.samples[i] = largest;
+        }
+      }
+    }
+  }
+}
+
+TEST(Png, PalettesAndColoursMayBeTransparent) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  PngSpec keyed;
+  keyed.size = {2, 1};
+  keyed.samples = {3, 4};
+  PngSpec palette = keyed;
+  palette.color = PngColor::kPalette;
+  palette.palette = {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {5, 5, 5}};
+  for (const std::uint16_t unseen : {std::uint16_t{5}, std::uint16_t{4}}) {
+    keyed.transparent = {{unseen, unseen, unseen}};
+    palette.paletteAlpha = {255, 255, 255, 255, 255};
+    if (unseen < 5) palette.paletteAlpha[unseen] = 254;
+    for (const PngSpec& spec : {keyed, palette}) {
+      test::writeBytes(path, test::makePng(spec));
+      EXPECT_EQ(hasTransparency(path), unseen == 4);
+    }
+  }
+  keyed.transparent.reset();
+  test::writeBytes(path, test::makePng(keyed));
+  EXPECT_FALSE(hasTransparency(path));
 }
 
 TEST(Png, OneBitMasksAreZeroAndOne) {
@@ -195,8 +247,8 @@ TEST(Png, OneBitMasksAreZeroAndOne) {
   spec.bitDepth = 1;
   spec.samples = {0, 1};
   test::writeBytes(path, test::makePng(spec));
-  EXPECT_EQ(readCoverage(path)(0, 0), 0.0F);
-  EXPECT_EQ(readCoverage(path)(1, 0), 1.0F);
+  EXPECT_EQ(readCoverage(path, MaskChannel::kBrightness)(0, 0), 0.0F);
+  EXPECT_EQ(readCoverage(path, MaskChannel::kBrightness)(1, 0), 1.0F);
 }
 
 TEST(Png, EightBitRoundTripIsExact) {

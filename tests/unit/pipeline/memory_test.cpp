@@ -15,13 +15,13 @@ namespace {
 
 TEST(Memory, ATypicalRunNeedsLittle) {
   // The run of docs/performance.md: 344 MiB were measured.
-  const std::int64_t bytes = bytesOfRun({{400, 222}, 24, {1000, 800}, 8, 1, 2.0F});
+  const std::int64_t bytes = bytesOfRun({{400, 222}, 24, {1000, 800}, 8, 1, 2.0F, {1000, 800}});
   EXPECT_GT(bytes, 300 << 20);
   EXPECT_LT(bytes, 500 << 20);
 }
 
 TEST(Memory, GrowsWithEverySize) {
-  const RunSize run{{400, 300}, 20, {500, 400}, 300, 2, 2.0F};
+  const RunSize run{{400, 300}, 20, {500, 400}, 300, 2, 2.0F, {500, 400}};
   const std::int64_t bytes = bytesOfRun(run);
   const auto changed = [&](auto change) {
     RunSize other = run;
@@ -34,6 +34,26 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.targetFrames = 600; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.timeBlurSigmaFrames = 50.0F; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.largestStored = {4000, 4000}; }), bytes);
+}
+
+TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
+  // 28 bytes per stored pixel were measured, whatever a frame is scaled to.
+  const Size stored{12000, 10000};
+  const std::int64_t bytes = bytesOfRun({{120, 100}, 4, {120, 100}, 4, 1, 2.0F, stored});
+  EXPECT_GT(bytes, std::int64_t{28} * 12000 * 10000);
+  EXPECT_LT(bytes, std::int64_t{29} * 12000 * 10000);
+}
+
+TEST(Memory, NoMoreThreadsCountThanTilesAreSearched) {
+  const auto bytesFor = [](Size target, int threads) {
+    return bytesOfRun({{1000, 800}, 50, target, 4, threads, 2.0F, {1000, 800}});
+  };
+  EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 1)) << "one tile of half the size";
+  EXPECT_LT(bytesFor({128, 128}, 1024), kMaxRunBytes);
+  EXPECT_GT(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 7));
+  EXPECT_EQ(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 8));
+  EXPECT_EQ(bytesFor({9, 700}, 1024), bytesFor({9, 700}, 11)) << "a single level is searched whole";
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -65,6 +85,8 @@ struct FullMaskRun {
 
 class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
 
+int pixelsOf(Size size) { return size.width * size.height; }
+
 TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
   if (kSanitized) GTEST_SKIP() << "sanitizers keep shadow memory and what was freed";
   const FullMaskRun& run = GetParam();
@@ -81,8 +103,9 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
                                                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const std::int64_t inside = static_cast<std::int64_t>(countInside(nearlyFull(run.target)));
+  const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
   const std::int64_t estimate =
-      bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F}) +
+      bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F, largest}) +
       kBytesPerMaskPixel * inside * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
@@ -111,8 +134,8 @@ TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
     masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
     if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
   }
-  const MaskReader read =
-      countingReader(masks, "t/%d.png", kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
+  const MaskReader read = countingReader(masks, MaskChannel::kBrightness, "t/%d.png",
+                                         kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
   EXPECT_EQ(countInside(read(0)), countInside(scene.targetMask(1)));
   EXPECT_EQ(countInside(read(1)), countInside(scene.targetMask(2)));
   EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
@@ -131,7 +154,9 @@ TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
   const test::ProcessResult refused = scene.paint({{"--quiet", ""}, {"--src-scale", "6"}});
   EXPECT_TRUE(test::failedNaming(
       2, "--src-path src/%05d.png, --target-path target/%05d.png: 4 frames of 6000x6000 and 4 of ",
-      {" need about ", " GiB of memory; wanted at most 6.0 GiB (--src-frames"}, refused));
+      {", stored with up to 1000x1000, need about ",
+       " GiB of memory; wanted at most 6.0 GiB (--src-frames"},
+      refused));
   EXPECT_LT(refused.peakBytes, 400'000'000);
   EXPECT_TRUE(scene.names("out").empty());
 }

@@ -45,13 +45,15 @@ TEST(Stylize, LeavesTheCallersThreadSettingAsItWas) {
 
 TEST(Stylize, StopsAtEveryStageWhenAsked) {
   constexpr int kFrames = 3;
-  // Asked before each mask of the exemplar, each of the target, each picture, each frame to paint.
-  for (int patience = 0; patience < 4 * kFrames; ++patience) {
+  // Asked before each mask of the exemplar, twice, likewise of the target, before each picture, its
+  // guides, each frame to paint.
+  constexpr int kBeforeTheFirst = 6 * kFrames;
+  for (int patience = 0; patience < kBeforeTheFirst + kFrames; ++patience) {
     const SmallScene scene(kFrames);
     int asked = 0;
     Observer observer;
     observer.cancelled = [&] { return asked++ == patience; };
-    const int written = std::max(0, patience - 3 * kFrames);
+    const int written = std::max(0, patience - kBeforeTheFirst);
     EXPECT_EQ(messageOf<Interrupted>([&] { stylize(optionsFor(scene), observer); }),
               "interrupted; " + std::to_string(written) + " of 3 frames written");
     EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(written));

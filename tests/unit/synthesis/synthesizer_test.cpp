@@ -106,7 +106,8 @@ struct Film {
   [[nodiscard]] Exemplar exemplar() const {
     Exemplar result(pictures.front().size(), static_cast<int>(guides.size()), 3, kBorderWidthPx);
     for (std::size_t k = 0; k < guides.size(); ++k) {
-      result.setFrame(static_cast<int>(k), pictures[k], guides[k]);
+      result.setColor(static_cast<int>(k), pictures[k]);
+      result.setGuides(static_cast<int>(k), guides[k]);
     }
     result.finish();
     return result;
@@ -162,7 +163,8 @@ TEST_F(SynthesizerTest, TheExemplarsFramesInReverseOrderServeEquallyWell) {
     for (Vec2& v : guides.direction) v = -1.0F * v;
     for (Vec2& v : guides.accForward) v = -1.0F * v;
     for (Vec2& v : guides.accBackward) v = -1.0F * v;
-    reversed.setFrame(k, test::paintedDisc(disc_, original, 31), guides);
+    reversed.setColor(k, test::paintedDisc(disc_, original, 31));
+    reversed.setGuides(k, guides);
   }
   reversed.finish();
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);

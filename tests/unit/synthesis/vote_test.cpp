@@ -14,7 +14,8 @@ namespace {
 ExemplarLevel oneFrame(const Image<Lab>& color) {
   ExemplarLevel level(color.size(), 1, 5.0F);
   const test::GrowingDisc all{color.size(), {0.0F, 0.0F}, 1000.0F, 0.0F, 1};
-  level.setFrame(0, color, finestLevel(all.guides(0)));
+  level.setColor(0, color);
+  level.setGuides(0, finestLevel(all.guides(0)));
   level.finish();
   return level;
 }
