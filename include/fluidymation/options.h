@@ -21,15 +21,57 @@ struct MaskOptions {
   float threshold = 0.3F;    ///< in (0, 0.5]; below 0.5 some bare surface is included; §4.1
 };
 
+/// What the border of a shape tells about the movement inside; §3.8.
+enum class MotionModel {
+  kNormals,     ///< the thesis': the movement along the normals, spread harmonically
+  kRigidParts,  ///< each part's translation, rotation and scaling; only the rest is spread
+};
+
 struct GuideOptions {
   MaskOptions mask;
   float timeBlurSigmaFrames = 2.0F;  ///< temporal smoothing of the distance field, 0 to 50; §4.1
+  MotionModel motionModel = MotionModel::kNormals;
 };
 
 /// Distance bounds of the temporal modulation, px; §3.7.
 struct ModulationBounds {
   float upperPx = 10.0F;  ///< m_u: from here on the previous frame does not count
   float lowerPx = 2.0F;   ///< m_l: up to here it counts in full
+};
+
+/// The bounds of the temporal modulation that suit most, as shares of the border width. The thesis'
+/// (1 and 0.2) let a rim keep colours of a depth that it has left: the edge colour profile is half
+/// a dE worse (docs/quality.md).
+struct ModulationShares {
+  float upper = 0.7F;
+  float lower = 0.15F;
+};
+inline constexpr ModulationShares kModulationShares;
+
+/// How a picture is read from the exemplar between its pixels.
+enum class Interpolation {
+  kBilinear,  ///< the thesis'; softens whatever is not turned by a multiple of 90 degrees
+  kCubic,     ///< Catmull-Rom, 4 x 4 pixels
+};
+
+/// How the windows that cover a pixel of the painted picture are averaged; §2.1.2. The votes within
+/// the optimization are plain bilinear means always, and so is this one in the thesis.
+struct VoteOptions {
+  /// Gaussian weight of a window by the distance of its centre along x and y, px; 0: all alike.
+  float sigmaPx = 0.5F;
+  Interpolation interpolation = Interpolation::kCubic;
+};
+
+/// In what units the motion extents of exemplar and target are compared; §3.5.
+enum class ExtentUnit {
+  kPixels,    ///< the thesis': what moves further than the exemplar is pulled to its extremes
+  kExemplar,  ///< relative to the exemplar's own mean extent, and bounded
+};
+
+/// How parts of the target that are thinner than the medium's rim are painted; §3.4.
+enum class ThinParts {
+  kFringe,  ///< the thesis': by the distance to the edge, which stays small
+  kBody,    ///< by the distance relative to the part's own thickness
 };
 
 struct SynthesisOptions {
@@ -40,7 +82,17 @@ struct SynthesisOptions {
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
   float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3
   float borderWidthPx = 10.0F;    ///< border segment: distance below this; §3.4
-  ModulationBounds prevModulation;
+  /// What `distWeight` is multiplied by, a channel scale. Twice the thesis preset's brings the edge
+  /// colour profile from 4.7 to 4.1 dE (docs/quality.md).
+  float edgeGain = 2.0F;
+  /// Where not given, kModulationShares of the border width.
+  std::optional<ModulationBounds> prevModulation;
+  ThinParts thinParts = ThinParts::kBody;
+  /// Whether movement that is too small for a step to another frame of the exemplar is kept for
+  /// later; in the thesis it is lost, and targets slower than half the exemplar's speed freeze.
+  bool carriesMotion = true;
+  ExtentUnit extentUnit = ExtentUnit::kExemplar;
+  VoteOptions paintedVote;
   /// Iterations per level, coarsest first, the last value repeats. Defaults of §4.5 (the table of
   /// §4.4.3 has 4, 2, 1 for the optimization).
   std::vector<int> patchmatchIterations = {6, 4};
@@ -58,6 +110,8 @@ struct Options {
   MaskOptions sourceMask;
   std::optional<float> targetBlurSigmaPx;  ///< the source's where not given
   float timeBlurSigmaFrames = 2.0F;
+  /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.
+  MotionModel motionModel = MotionModel::kNormals;
   SynthesisOptions synthesis;
 
   std::optional<std::string> dumpGuidesDirectory;

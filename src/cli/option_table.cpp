@@ -1,16 +1,19 @@
 #include "cli/option_table.h"
 
+#include <array>
 #include <utility>
 
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/option_ranges.h"
+#include "fluidymation/presets.h"
 
 namespace fluidymation::cli {
 namespace {
 
 // Groups of the help text.
 constexpr const char* kFiles = "Inputs and outputs";
+constexpr const char* kLook = "Look";
 constexpr const char* kSequences = "Sequences";
 constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
@@ -30,6 +33,29 @@ template <typename T>
                                 const std::string& range, const std::string& section) {
   return "\n(default " + defaultText + (unit.empty() ? "" : " " + unit) +
          (range.empty() ? "" : "; in " + range) + "; " + section + ")";
+}
+
+/// The words that an option takes, and what each stands for.
+template <typename T>
+using Words = std::vector<std::pair<std::string, T>>;
+
+template <typename T>
+[[nodiscard]] std::string wordFor(const Words<T>& words, T wanted) {
+  for (const auto& [word, value] : words) {
+    if (value == wanted) return word;
+  }
+  return {};
+}
+
+template <typename T>
+[[nodiscard]] T parseWord(const std::string& option, const std::string& text,
+                          const Words<T>& words) {
+  std::string wanted;
+  for (const auto& [word, value] : words) {
+    if (text == word) return value;
+    wanted += (wanted.empty() ? "" : " or ") + word;
+  }
+  throw UsageError(shown(option, text) + ": wanted " + wanted);
 }
 
 /// The table, built by one function a kind of value.
@@ -93,6 +119,18 @@ class Table {
          }});
   }
 
+  /// One of a few words.
+  template <typename T>
+  void word(const char* name, const char* group, const char* what, const Words<T>& words,
+            const char* section, Field<T> field) {
+    const std::string option = name;
+    specs_.push_back({option, group, "NAME",
+                      what + facts(wordFor(words, defaultOf(field)), "", "", section), false,
+                      [option, words, field](CommandLine& line, const std::string& value) {
+                        field(line) = parseWord(option, value, words);
+                      }});
+  }
+
   void add(Spec spec) { specs_.push_back(std::move(spec)); }
 
   [[nodiscard]] std::vector<Spec> take() { return std::move(specs_); }
@@ -119,6 +157,20 @@ void addFiles(Table& table) {
                  throw UsageError(shown("--dump-guides", value) + ": wanted a folder's name");
                }
                line.options.dumpGuidesDirectory = value;
+             }});
+}
+
+/// Applied before the options that it sets: those given besides replace what it says.
+void addLook(Table& table) {
+  table.add({"--preset", kLook, "NAME",
+             "standard: the best we know; thesis: its numbers and rules,\nwhatever the defaults; "
+             "other options change either\n(default standard; thesis §4.5)",
+             false, [](CommandLine& line, const std::string& value) {
+               if (value == "thesis") {
+                 applyThesisPreset(line.options);
+               } else if (value != "standard") {
+                 throw UsageError(shown("--preset", value) + ": wanted standard or thesis");
+               }
              }});
 }
 
@@ -167,6 +219,12 @@ void addMasksAndMotion(Table& table) {
   table.real("--time-blur-sigma", kMasks, "smoothing of the edges' movement in time", "frames",
              ranges::kTimeSigmasFrames, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.timeBlurSigmaFrames; });
+  table.word<MotionModel>("--motion-model", kMasks,
+                          "rigid: the animation's parts travel, turn and grow as wholes;\n"
+                          "normals: what their edges do fades inwards",
+                          {{"normals", MotionModel::kNormals}, {"rigid", MotionModel::kRigidParts}},
+                          "thesis §3.8: normals",
+                          [](CommandLine& c) -> MotionModel& { return c.options.motionModel; });
 }
 
 void addGuides(Table& table) {
@@ -182,19 +240,35 @@ void addGuides(Table& table) {
   table.real("--border-width", kGuides, "width of the border segment", "px", ranges::kWidthsPx,
              "thesis §3.4",
              [](CommandLine& c) -> float& { return c.options.synthesis.borderWidthPx; });
-  const ModulationBounds bounds;
+  table.word<ThinParts>("--thin-parts", kGuides,
+                        "of the animation, thinner than the film's rim; body: they\n"
+                        "get its inner colour; fringe: its rim only",
+                        {{"fringe", ThinParts::kFringe}, {"body", ThinParts::kBody}},
+                        "thesis §3.4: fringe",
+                        [](CommandLine& c) -> ThinParts& { return c.options.synthesis.thinParts; });
+  table.word<ExtentUnit>(
+      "--extent-unit", kGuides,
+      "film: motion extents relative to the film's, and bounded;\npx: as they are",
+      {{"px", ExtentUnit::kPixels}, {"film", ExtentUnit::kExemplar}}, "thesis §3.5: px",
+      [](CommandLine& c) -> ExtentUnit& { return c.options.synthesis.extentUnit; });
   table.add({"--prev-modulation-bounds", kGuides, "M_U,M_L",
              "the previous frame counts fully up to m_l, not from m_u on" +
-                 facts(numberText(bounds.upperPx) + "," + numberText(bounds.lowerPx), "px",
-                       ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7"),
+                 facts(numberText(kModulationShares.upper) + " and " +
+                           numberText(kModulationShares.lower) + " of the border width, px",
+                       "", ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7: 10,2"),
              false, [](CommandLine& line, const std::string& value) {
                const FloatPair pair = parseDescendingPair("--prev-modulation-bounds", value,
                                                           ranges::kModulationBoundsPx);
-               line.options.synthesis.prevModulation = {pair.first, pair.second};
+               line.options.synthesis.prevModulation = ModulationBounds{pair.first, pair.second};
              }});
 }
 
 void addSynthesis(Table& table) {
+  table.word<bool>("--carry-motion", kSynthesis,
+                   "on: movement too small for a step of the film is kept for\n"
+                   "later; off: slow animations freeze",
+                   {{"off", false}, {"on", true}}, "thesis §3.7: off",
+                   [](CommandLine& c) -> bool& { return c.options.synthesis.carriesMotion; });
   table.real("--lambda", kSynthesis, "how evenly the exemplar is used", "", ranges::kWeights,
              "thesis §2.5, §3.3",
              [](CommandLine& c) -> float& { return c.options.synthesis.lambda; });
@@ -213,6 +287,16 @@ void addSynthesis(Table& table) {
       "--opt-iterations", kSynthesis, "search and vote per level, coarsest first, the last repeats",
       ranges::kOptIterations, "thesis §4.5",
       [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.optIterations; });
+  table.real("--vote-sigma", kSynthesis,
+             "painted pixels trust windows this close most; 0: all alike", "px",
+             ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.sigmaPx; });
+  table.word<Interpolation>(
+      "--vote-interpolation", kSynthesis, "bilinear or cubic: reads the film between its pixels",
+      {{"bilinear", Interpolation::kBilinear}, {"cubic", Interpolation::kCubic}},
+      "thesis §4.4.1: bilinear", [](CommandLine& c) -> Interpolation& {
+        return c.options.synthesis.paintedVote.interpolation;
+      });
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),
@@ -239,6 +323,7 @@ void addRunning(Table& table) {
 std::vector<Spec> optionTable() {
   Table table;
   addFiles(table);
+  addLook(table);
   addSequences(table);
   addMasksAndMotion(table);
   addGuides(table);

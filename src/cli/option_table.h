@@ -21,7 +21,8 @@ struct Spec {
   std::function<void(CommandLine&, const std::string& value)> apply;
 };
 
-/// All options but --help and --version, in the order of the help text.
+/// All options but --help and --version, in the order of the help text, which is also the order in
+/// which they are applied: --preset before those that it sets.
 [[nodiscard]] std::vector<Spec> optionTable();
 
 }  // namespace fluidymation::cli

@@ -62,7 +62,7 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
     if (!edge[at(begin)]) continue;
     int end = begin + 1;
     while (end < frameCount && edge[at(end)]) ++end;
-    computeFlow(begin, end, options.timeBlurSigmaFrames);
+    computeFlow(begin, end, options);
     begin = end;
   }
 
@@ -82,14 +82,14 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   }
 }
 
-void GuideStream::computeFlow(int begin, int end, float sigmaFrames) {
+void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
   if (end - begin < 2) return;  // a single frame does not move
-  ShapeChanges changes(end - begin, sigmaFrames,
+  ShapeChanges changes(end - begin, options.timeBlurSigmaFrames,
                        [&](int i) { return frames_[at(begin + i)].mask.unpack(); });
   for (int i = begin; i < end; ++i) {
     StoredFrame& frame = frames_[at(i)];
     const Mask mask = frame.mask.unpack();
-    const MotionField motion = motionField(mask, changes.at(i - begin));
+    const MotionField motion = motionField(mask, changes.at(i - begin), options.motionModel);
     frame.flow = gather(mask, motion.flow);
     frame.diffusion = motion.report;
   }

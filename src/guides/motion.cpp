@@ -8,6 +8,7 @@
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/gaussian.h"
 #include "gradient.h"
+#include "rigid_motion.h"
 
 namespace fluidymation {
 namespace {
@@ -67,27 +68,43 @@ Image<float> motionDistance(const Image<float>& signedDistance) {
   return gaussianBlur(continuousDistance(signedDistance), kStaircaseSigmaPx);
 }
 
-MotionField motionField(const Mask& mask, const ShapeChange& change) {
+MotionField motionField(const Mask& mask, const ShapeChange& change, MotionModel model) {
   assert(change.fields.size() == change.stepWeights.size() + 1);
-  MotionField motion;
-  motion.flow = Image<Vec2>(mask.size());
-
-  // Movement along the normal at the border
   const Mask border = borderPixels(mask);
   const Components parts = findComponents(mask);
   const std::vector<float> limits = thicknesses(parts, change.depth);
+
+  // Movement along the outward normal at the border
+  Image<Vec2> normals(mask.size());
+  Image<float> speeds(mask.size());
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {
       if (border(x, y) == 0) continue;
       const Vec2 gradient = gradientAt(change.smooth, x, y);
       const float steepness = length(gradient);
       if (steepness < kFlatGradient) continue;
-      const float limitPx = limits[static_cast<std::size_t>(parts.label(x, y))];
-      motion.flow(x, y) = (-advance(change, x, y, limitPx) / steepness) * gradient;
+      normals(x, y) = (-1.0F / steepness) * gradient;
+      speeds(x, y) = advance(change, x, y, limits[static_cast<std::size_t>(parts.label(x, y))]);
     }
   });
 
+  // What the parts do as a whole is known everywhere; only the rest has to be spread inside
+  MotionField motion;
+  Image<Vec2> whole = model == MotionModel::kRigidParts
+                          ? rigidMotion(parts, border, normals, speeds)
+                          : Image<Vec2>(mask.size());
+  motion.flow = Image<Vec2>(mask.size());
+  forEachRow(mask.height(), [&](int y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      if (border(x, y) == 0) continue;
+      const Vec2 normal = normals(x, y);
+      motion.flow(x, y) = (speeds(x, y) - dot(whole(x, y), normal)) * normal;
+    }
+  });
   motion.report = diffuse(mask, border, motion.flow);
+  forEachRow(mask.height(), [&](int y) {
+    for (int x = 0; x < mask.width(); ++x) motion.flow(x, y) += whole(x, y);
+  });
   return motion;
 }
 

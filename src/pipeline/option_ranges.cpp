@@ -76,7 +76,8 @@ void check(const SynthesisOptions& synthesis) {
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
   check("--border-width", synthesis.borderWidthPx, ranges::kWidthsPx);
-  check(synthesis.prevModulation);
+  if (synthesis.prevModulation) check(*synthesis.prevModulation);
+  check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);
   check("--patchmatch-alpha", synthesis.patchmatchAlpha, ranges::kAlphas);

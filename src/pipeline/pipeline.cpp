@@ -77,7 +77,7 @@ void addGuides(const Options& options, const Inputs& inputs, GuideStream& guides
       dumpGuides(dumpFolder(options, "source"), number, frame);
     }
   }
-  exemplar.finish();
+  exemplar.finish(options.synthesis.extentUnit);
 }
 
 /// Straight alpha: painted and opaque inside the mask, fully transparent elsewhere.
@@ -128,7 +128,7 @@ void stylize(const Options& options, const Observer& observer) {
         stopBeforeTheFirst();
         return readTarget(frame);
       },
-      GuideOptions{targetMask, options.timeBlurSigmaFrames});
+      GuideOptions{targetMask, options.timeBlurSigmaFrames, options.motionModel});
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

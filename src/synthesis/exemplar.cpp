@@ -34,14 +34,21 @@ void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
       const Vec2 direction = guides.direction(x, y);
       Lanes& pixel = pixels_[offset(x, y, frame)];
       pixel.low[kEdge] = edgeChannel(guides.distance(x, y), borderWidthPx_);
-      pixel.high = Float4{guides.extForward(x, y) / kExtUnitPx,
-                          guides.extBackward(x, y) / kExtUnitPx, direction.x, direction.y};
+      pixel.high = Float4{guides.extForward(x, y), guides.extBackward(x, y), direction.x,
+                          direction.y};  // extents in px until `finish`
       segments_[offset(x, y, frame)] = guides.segment(x, y, borderWidthPx_);
     }
   });
 }
 
-void ExemplarLevel::finish() {
+void ExemplarLevel::finish(const ExtentScale& extentScale) {
+  forEachRow(size_.height * frameCount_, [&](int row) {
+    Lanes* pixels = pixels_.data() + offset(0, row % size_.height, row / size_.height);
+    for (int x = 0; x < size_.width; ++x) {
+      const Float4 v = pixels[x].high;
+      pixels[x].high = Float4{extentScale(v[0]), extentScale(v[1]), v[2], v[3]};
+    }
+  });
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     if (segments_[i] == Segment::kOutside) continue;
     (segments_[i] == Segment::kBorder ? borderPixels_ : interiorPixels_)
@@ -92,8 +99,27 @@ void Exemplar::setGuides(int frame, const GuideFrame& guides) {
   accBackward_[static_cast<std::size_t>(frame)] = guides.accBackward.clone();
 }
 
-void Exemplar::finish() {
-  for (ExemplarLevel& level : levels_) level.finish();
+void Exemplar::finish(ExtentUnit unit) {
+  const float meanPx = unit == ExtentUnit::kExemplar ? meanExtentPx() : 0.0F;
+  if (meanPx > 0.0F) extentScale_ = ExtentScale::boundedAt(kHalfExtentShare * meanPx);
+  for (ExemplarLevel& level : levels_) level.finish(extentScale_);
+}
+
+float Exemplar::meanExtentPx() const {
+  double sum = 0.0;
+  std::size_t count = 0;
+  const ExemplarLevel& finest = level(0);
+  for (int k = 0; k < frameCount(); ++k) {
+    for (int y = 0; y < finest.size().height; ++y) {
+      for (int x = 0; x < finest.size().width; ++x) {
+        if (finest.segment(x, y, k) == Segment::kOutside) continue;
+        sum += static_cast<double>(length(accForward(k)(x, y))) +
+               static_cast<double>(length(accBackward(k)(x, y)));
+        count += 2;
+      }
+    }
+  }
+  return count == 0 ? 0.0F : static_cast<float>(sum / static_cast<double>(count));
 }
 
 }  // namespace fluidymation

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/guides/local_thickness.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
 #include "fluidymation/synthesis/patchmatch.h"
@@ -24,6 +25,13 @@ int valueAt(const std::vector<int>& list, int level, int coarsest) {
   return list[std::min(fromCoarsest, list.size() - 1)];
 }
 
+/// Those given, else as many as the border width tells.
+ModulationBounds modulationBounds(const SynthesisOptions& options) {
+  return options.prevModulation.value_or(
+      ModulationBounds{kModulationShares.upper * options.borderWidthPx,
+                       kModulationShares.lower * options.borderWidthPx});
+}
+
 bool hasAnyMatch(const NearestNeighborField& nnf) {
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
 }
@@ -40,24 +48,27 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
 Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   const int coarsest = exemplar_.levelCount() - 1;
   NearestNeighborField shifted =
-      nnf_.empty() ? NearestNeighborField(frame.mask.size()) : shift(exemplar_, frame, nnf_);
+      nnf_.empty() ? NearestNeighborField(frame.mask.size())
+                   : shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
   const bool fresh = !hasAnyMatch(shifted);
 
   std::vector<GuideLevel> guides;
   guides.push_back(finestLevel(frame));
+  if (options_.thinParts == ThinParts::kBody) {
+    guides.back().distance = stretchedDistance(frame.distance, options_.borderWidthPx);
+  }
   for (int l = 1; l <= coarsest; ++l) guides.push_back(halve(guides.back()));
 
   NearestNeighborField nnf(frame.mask.size());
   Image<Lab> picture(frame.mask.size());
   if (countInside(frame.mask) > 0) {
     for (int l = coarsest; l >= 0; --l) {
-      TargetLevel target(guides[static_cast<std::size_t>(l)], options_.borderWidthPx);
-      if (l < finestSearched()) {
-        nnf = upscale(nnf, target.segment);
-        picture = vote(exemplar_.level(l), target.segment, nnf).color;
-      } else {
-        nnf = optimizedField(l, nnf, shifted, fresh, target);
-        picture = std::move(target.picture);
+      TargetLevel target(guides[static_cast<std::size_t>(l)], options_.borderWidthPx,
+                         exemplar_.extentScale());
+      nnf = l < finestSearched() ? upscale(nnf, target.segment)
+                                 : optimizedField(l, nnf, shifted, fresh, target);
+      if (l == 0) {
+        picture = paintedVote(exemplar_.level(l), target.segment, nnf, options_.paintedVote).color;
       }
     }
   }
@@ -75,7 +86,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                               target, options_, Place{frame_, level}};
   const int coarsest = exemplar_.levelCount() - 1;
   const int searchIterations = valueAt(options_.patchmatchIterations, level, coarsest);
-  const DistanceWeights weights{1.0F, options_.distWeight, options_.flowWeight,
+  const DistanceWeights weights{1.0F, options_.edgeGain * options_.distWeight, options_.flowWeight,
                                 options_.prevWeight};
   int pass = 0;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
@@ -94,7 +105,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
     }
   } else {
     NearestNeighborField downscaled = downscale(shifted, level);
-    setPrevious(exemplar, options_.borderWidthPx, options_.prevModulation, downscaled, target);
+    setPrevious(exemplar, options_.borderWidthPx, modulationBounds(options_), downscaled, target);
     nnf = level == coarsest
               ? std::move(downscaled)
               : merge(problem, weights, upscale(coarser, target.segment), downscaled, target);

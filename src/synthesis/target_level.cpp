@@ -7,7 +7,8 @@
 
 namespace fluidymation {
 
-TargetLevel::TargetLevel(const GuideLevel& guides, float borderWidthPx)
+TargetLevel::TargetLevel(const GuideLevel& guides, float borderWidthPx,
+                         const ExtentScale& extentScale)
     : segment(guides.mask.size(), Segment::kOutside),
       edge(guides.mask.size()),
       extForward(guides.mask.size()),
@@ -23,8 +24,8 @@ TargetLevel::TargetLevel(const GuideLevel& guides, float borderWidthPx)
       const float distance = guides.distance(x, y);
       segment(x, y) = guides.segment(x, y, borderWidthPx);
       edge(x, y) = edgeChannel(distance, borderWidthPx);
-      extForward(x, y) = guides.extForward(x, y) / kExtUnitPx;
-      extBackward(x, y) = guides.extBackward(x, y) / kExtUnitPx;
+      extForward(x, y) = extentScale(guides.extForward(x, y));
+      extBackward(x, y) = extentScale(guides.extBackward(x, y));
       clampedDistancePx(x, y) = std::min(distance, borderWidthPx);
     }
   });

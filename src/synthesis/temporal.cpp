@@ -10,31 +10,63 @@
 namespace fluidymation {
 namespace {
 
-/// The frame of the exemplar, from `start` onwards in direction `step` (+1 or -1), at which the
-/// motion accumulated at (x, y) since `start` comes closest to `amountPx`.
+/// A walk along the exemplar's time at one place.
+struct Walk {
+  int frame = 0;           ///< where it ends
+  float movedPx = 0.0F;    ///< movement accumulated on the way
+  bool isStopped = false;  ///< the place leaves the mask, or the sequence ends, right behind
+};
+
+/// Walks from `start` in direction `step` (+1 or -1) to the frame at which the motion accumulated
+/// at (x, y) comes closest to `amountPx`; the smallest step wins ties.
 template <typename Accumulated>
-int frameAfterMotion(const ExemplarLevel& exemplar, const Accumulated& accumulated, int x, int y,
-                     int start, int step, float amountPx) {
+Walk walk(const ExemplarLevel& exemplar, const Accumulated& accumulated, int x, int y, int start,
+          int step, float amountPx) {
+  const auto canStepFrom = [&](int k) {
+    return k + step >= 0 && k + step < exemplar.frameCount() &&
+           exemplar.segment(x, y, k + step) != Segment::kOutside;
+  };
   const Vec2 origin = accumulated(start)(x, y);
-  int best = start;
+  Walk best{start, 0.0F, false};
   float bestError = amountPx;
-  for (int k = start + step; k >= 0 && k < exemplar.frameCount(); k += step) {
-    if (exemplar.segment(x, y, k) == Segment::kOutside) break;
-    const float error = std::abs(amountPx - length(accumulated(k)(x, y) - origin));
-    if (error < bestError) {
-      bestError = error;
-      best = k;
-    }
+  for (int k = start; canStepFrom(k); k += step) {
+    const float movedPx = length(accumulated(k + step)(x, y) - origin);
+    const float error = std::abs(amountPx - movedPx);
+    if (error >= bestError) continue;
+    bestError = error;
+    best = {k + step, movedPx, false};
   }
+  best.isStopped = !canStepFrom(best.frame);
   return best;
+}
+
+/// Moves `match` along the exemplar's time by `amountPx`, negative: backwards. @return  what is
+/// left to be moved.
+float moveInTime(const Exemplar& exemplar, float amountPx, Match& match) {
+  const int x = match.nearestX();
+  const int y = match.nearestY();
+  const bool backwards = amountPx < 0.0F;
+  const Walk made = walk(
+      exemplar.level(0),
+      [&](int k) -> const Image<Vec2>& {
+        return backwards ? exemplar.accBackward(k) : exemplar.accForward(k);
+      },
+      x, y, match.frame, backwards ? -1 : +1, std::abs(amountPx));
+  match.frame = made.frame;
+  const float rest = std::abs(amountPx) - made.movedPx;
+  if (made.isStopped && rest > 0.0F) return 0.0F;
+  return backwards ? -rest : rest;
 }
 
 }  // namespace
 
 NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
-                           const NearestNeighborField& previous) {
+                           const NearestNeighborField& previous, Image<float>* owed) {
   const ExemplarLevel& finest = exemplar.level(0);
   NearestNeighborField shifted(previous.size());
+  const Image<float> before =
+      owed == nullptr || owed->empty() ? Image<float>(previous.size()) : owed->clone();
+  if (owed != nullptr) *owed = Image<float>(previous.size());
   forEachRow(previous.height(), [&](int y) {
     for (int x = 0; x < previous.width(); ++x) {
       const Match& match = previous(x, y);
@@ -51,14 +83,14 @@ NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
       const float amountPx = length(target.flow(x, y));
       const bool opposite =
           isOpposite(target.direction(x, y), finest.direction(sx, sy, match.frame), match.rotation);
-      moved.frame =
-          opposite
-              ? frameAfterMotion(
-                    finest, [&](int k) -> const Image<Vec2>& { return exemplar.accBackward(k); },
-                    sx, sy, match.frame, -1, amountPx)
-              : frameAfterMotion(
-                    finest, [&](int k) -> const Image<Vec2>& { return exemplar.accForward(k); }, sx,
-                    sy, match.frame, +1, amountPx);
+      const float prescribed = opposite ? -amountPx : amountPx;
+      if (owed == nullptr) {
+        moveInTime(exemplar, prescribed, moved);
+      } else if (amountPx == 0.0F) {
+        (*owed)(x, y) = before(x, y);
+      } else {
+        (*owed)(x, y) = moveInTime(exemplar, before(x, y) + prescribed, moved);
+      }
     }
   });
   return shifted;

@@ -97,14 +97,26 @@ const std::vector<Reaching>& reachingOptions() {
       {"--border-width", "30", [](C c) { return c.options.synthesis.borderWidthPx == 30.0F; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
-         return c.options.synthesis.prevModulation.upperPx == 7.5F &&
-                c.options.synthesis.prevModulation.lowerPx == 0.0F;
+         return c.options.synthesis.prevModulation->upperPx == 7.5F &&
+                c.options.synthesis.prevModulation->lowerPx == 0.0F;
        }},
       {"--patchmatch-iterations", "3",
        [](C c) { return c.options.synthesis.patchmatchIterations == List{3}; }},
       {"--opt-iterations", "5,0,1,2",
        [](C c) {
          return c.options.synthesis.optIterations == List{5, 0, 1, 2};
+       }},
+      {"--motion-model", "rigid",
+       [](C c) { return c.options.motionModel == MotionModel::kRigidParts; }},
+      {"--thin-parts", "fringe",
+       [](C c) { return c.options.synthesis.thinParts == ThinParts::kFringe; }},
+      {"--extent-unit", "px",
+       [](C c) { return c.options.synthesis.extentUnit == ExtentUnit::kPixels; }},
+      {"--carry-motion", "off", [](C c) { return !c.options.synthesis.carriesMotion; }},
+      {"--vote-sigma", "1.5", [](C c) { return c.options.synthesis.paintedVote.sigmaPx == 1.5F; }},
+      {"--vote-interpolation", "bilinear",
+       [](C c) {
+         return c.options.synthesis.paintedVote.interpolation == Interpolation::kBilinear;
        }},
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
@@ -134,31 +146,59 @@ TEST(CommandLine, PathsReachTheOptions) {
   EXPECT_EQ(options.outPath, "o/%d.png");
 }
 
-TEST(CommandLine, DefaultsAreThoseOfTheThesis) {
-  const Options o = parse(kRequired).options;
-  for (const SequenceOptions& sequence : {o.source, o.target}) {
-    EXPECT_EQ(sequence.start, 1);
-    EXPECT_EQ(sequence.frames, 50);
-    EXPECT_EQ(sequence.speed, 1);
-    EXPECT_EQ(sequence.scale, 1.0);
+TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
+  for (const char* preset : {"standard", "thesis"}) {
+    SCOPED_TRACE(preset);
+    const Options o = parse(complete({"--preset", preset})).options;
+    for (const SequenceOptions& sequence : {o.source, o.target}) {
+      EXPECT_EQ(sequence.start, 1);
+      EXPECT_EQ(sequence.frames, 50);
+      EXPECT_EQ(sequence.speed, 1);
+      EXPECT_EQ(sequence.scale, 1.0);
+    }
+    EXPECT_EQ(o.sourceMask.blurSigmaPx, 8.0F);
+    EXPECT_FALSE(o.targetBlurSigmaPx);
+    EXPECT_EQ(o.sourceMask.threshold, 0.3F);
+    EXPECT_EQ(o.timeBlurSigmaFrames, 2.0F);
+    EXPECT_EQ(o.synthesis.distWeight, 5.0F);
+    EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
+    EXPECT_EQ(o.synthesis.prevWeight, 1.0F);
+    EXPECT_EQ(o.synthesis.lambda, 2.0F);
+    EXPECT_EQ(o.synthesis.occRadiusFrames, 10);
+    EXPECT_EQ(o.synthesis.patchmatchAlpha, 0.75F);
+    EXPECT_EQ(o.synthesis.borderWidthPx, 10.0F);
+    EXPECT_EQ(o.synthesis.patchmatchIterations, (List{6, 4}));
+    EXPECT_EQ(o.synthesis.optIterations, (List{4, 3, 2}));
+    EXPECT_EQ(o.synthesis.seed, 0U);
+    EXPECT_FALSE(o.dumpGuidesDirectory);
   }
-  EXPECT_EQ(o.sourceMask.blurSigmaPx, 8.0F);
-  EXPECT_FALSE(o.targetBlurSigmaPx);
-  EXPECT_EQ(o.sourceMask.threshold, 0.3F);
-  EXPECT_EQ(o.timeBlurSigmaFrames, 2.0F);
-  EXPECT_EQ(o.synthesis.distWeight, 5.0F);
-  EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
-  EXPECT_EQ(o.synthesis.prevWeight, 1.0F);
-  EXPECT_EQ(o.synthesis.lambda, 2.0F);
-  EXPECT_EQ(o.synthesis.occRadiusFrames, 10);
-  EXPECT_EQ(o.synthesis.patchmatchAlpha, 0.75F);
-  EXPECT_EQ(o.synthesis.borderWidthPx, 10.0F);
-  EXPECT_EQ(o.synthesis.prevModulation.upperPx, 10.0F);
-  EXPECT_EQ(o.synthesis.prevModulation.lowerPx, 2.0F);
-  EXPECT_EQ(o.synthesis.patchmatchIterations, (List{6, 4}));
-  EXPECT_EQ(o.synthesis.optIterations, (List{4, 3, 2}));
-  EXPECT_EQ(o.synthesis.seed, 0U);
-  EXPECT_FALSE(o.dumpGuidesDirectory);
+}
+
+TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
+  const Options all = parse(complete({"--preset", "thesis"})).options;
+  EXPECT_EQ(all.motionModel, MotionModel::kNormals);
+  EXPECT_EQ(all.synthesis.thinParts, ThinParts::kFringe);
+  EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
+  EXPECT_FALSE(all.synthesis.carriesMotion);
+  EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
+  ASSERT_TRUE(all.synthesis.prevModulation);
+  EXPECT_EQ(all.synthesis.prevModulation->upperPx, 10.0F);
+  EXPECT_EQ(all.synthesis.prevModulation->lowerPx, 2.0F);
+  const VoteOptions& thesis = all.synthesis.paintedVote;
+  EXPECT_EQ(thesis.sigmaPx, 0.0F);
+  EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
+  const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
+  EXPECT_NE(standard.sigmaPx, 0.0F);
+  EXPECT_EQ(standard.interpolation, Interpolation::kCubic);
+  // Before or after it on the command line
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--vote-sigma", "2", "--lambda", "7", "--preset", "thesis"},
+        std::vector<std::string>{"--preset", "thesis", "--lambda", "7", "--vote-sigma", "2"}}) {
+    const SynthesisOptions given = parse(complete(arguments)).options.synthesis;
+    EXPECT_EQ(given.paintedVote.sigmaPx, 2.0F);
+    EXPECT_EQ(given.paintedVote.interpolation, Interpolation::kBilinear);
+    EXPECT_EQ(given.lambda, 7.0F);
+  }
 }
 
 TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
@@ -395,7 +435,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "(default 8 px; in [0, 1000]",
                            "(default 0.3; in (0, 0.5]",
                            "(default 0.75; in (0, 0.99]",
-                           "(default 10,2 px;",
+                           "(default 0.7 and 0.15 of the border width, px;",
                            "(default 6,4;",
                            "(default 4,3,2;",
                            "(default 50 frames; in [1, 1000000]",

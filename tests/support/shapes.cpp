@@ -39,8 +39,10 @@ Mask randomBlobs(Size size, std::uint64_t seed) {
   return mask;
 }
 
-std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames) {
+std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames,
+                                 MotionModel model) {
   GuideOptions options;
+  options.motionModel = model;
   options.mask.blurSigmaPx = 0.0F;
   options.timeBlurSigmaFrames = sigmaFrames;
   GuideStream stream(

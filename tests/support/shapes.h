@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation::test {
 
@@ -45,6 +46,7 @@ template <typename T>
 }
 
 /// Guides of all frames of a sequence of masks, without spatial smoothing.
-[[nodiscard]] std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames);
+[[nodiscard]] std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames,
+                                               MotionModel model = MotionModel::kNormals);
 
 }  // namespace fluidymation::test

@@ -42,7 +42,7 @@ class GuideStream {
   };
 
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
-  void computeFlow(int begin, int end, float sigmaFrames);
+  void computeFlow(int begin, int end, const GuideOptions& options);
 
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;

@@ -4,6 +4,7 @@
 
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/diffusion.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation {
 
@@ -53,6 +54,10 @@ struct ShapeChange {
 /// once moves by its thickness in every frame of the window.
 /// Where the gradient vanishes (parts one or two pixels wide) the flow is zero.
 /// @param mask  the frame on which the flow is defined.
-[[nodiscard]] MotionField motionField(const Mask& mask, const ShapeChange& change);
+/// @param model  whether parts are also fitted a movement as a whole, so that only what their
+/// border
+///   moves beside it is spread inside.
+[[nodiscard]] MotionField motionField(const Mask& mask, const ShapeChange& change,
+                                      MotionModel model = MotionModel::kNormals);
 
 }  // namespace fluidymation

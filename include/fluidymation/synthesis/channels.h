@@ -15,7 +15,7 @@ enum Channel : int {
   kGreenRed,     ///< CIELAB a
   kBlueYellow,   ///< CIELAB b
   kEdge,         ///< kEdgeScale * min(distance / border width, 1); §3.4
-  kExtForward,   ///< accumulated motion, in units of kExtUnitPx; §3.5
+  kExtForward,   ///< accumulated motion, see ExtentScale; §3.5
   kExtBackward,  ///< motion still to come, likewise; §3.5
   kDirectionX,   ///< unit direction of the flow; not compared, read at the window's centre
   kDirectionY,
@@ -30,6 +30,35 @@ inline constexpr int kColorChannels = 3;
 /// edge distance at the border 5, five pixels of extent 0.28.
 inline constexpr float kEdgeScale = 10.0F;
 inline constexpr float kExtUnitPx = 3.0F;
+
+/// Where extents are relative to the exemplar's (ExtentScale::boundedAt): the largest value of
+/// their channels, and the extent at half of it as a share of the exemplar's mean extent.
+inline constexpr float kLargestExtent = 5.0F;
+inline constexpr float kHalfExtentShare = 1.0F;
+
+/// How a motion extent, px, becomes a channel.
+class ExtentScale {
+ public:
+  /// In units of kExtUnitPx, without bound, as the thesis has it.
+  ExtentScale() = default;
+
+  /// From 0 for no motion towards kLargestExtent for any: half of it at `halfPx` > 0. Extents are
+  /// told apart where the exemplar has them; what has moved further than the exemplar ever does
+  /// looks much like what has moved as far, and a film of twice the resolution compares alike.
+  [[nodiscard]] static ExtentScale boundedAt(float halfPx) {
+    ExtentScale scale;
+    scale.halfPx_ = halfPx;
+    return scale;
+  }
+
+  [[nodiscard]] float operator()(float extentPx) const {
+    return halfPx_ > 0.0F ? kLargestExtent * extentPx / (extentPx + halfPx_)
+                          : extentPx / kExtUnitPx;
+  }
+
+ private:
+  float halfPx_ = 0.0F;  ///< 0: linear
+};
 
 /// The edge guide of thesis §3.4 from a signed distance, px; negative outside the mask.
 [[nodiscard]] inline float edgeChannel(float distancePx, float borderWidthPx) {

@@ -8,6 +8,8 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/options.h"
+#include "fluidymation/synthesis/channels.h"
 #include "fluidymation/synthesis/lanes.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/pyramid.h"
@@ -24,8 +26,9 @@ class ExemplarLevel {
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideLevel& guides);
 
-  /// Completes the level when all frames are filled: lists the pixels of each segment.
-  void finish();
+  /// Completes the level when all frames are filled: scales the extents, lists the pixels of each
+  /// segment.
+  void finish(const ExtentScale& extentScale = {});
 
   [[nodiscard]] Size size() const { return size_; }
   [[nodiscard]] int frameCount() const { return frameCount_; }
@@ -91,7 +94,10 @@ class Exemplar {
   /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideFrame& guides);
-  void finish();
+  void finish(ExtentUnit unit = ExtentUnit::kPixels);
+
+  /// How the target's extents have to be scaled to compare with this exemplar's.
+  [[nodiscard]] const ExtentScale& extentScale() const { return extentScale_; }
 
   [[nodiscard]] const ExemplarLevel& level(int l) const {
     return levels_[static_cast<std::size_t>(l)];
@@ -108,6 +114,10 @@ class Exemplar {
   }
 
  private:
+  /// Mean length of acc+ and acc- over all mask pixels, px; 0 when nothing ever moves.
+  [[nodiscard]] float meanExtentPx() const;
+
+  ExtentScale extentScale_;
   std::vector<ExemplarLevel> levels_;
   std::vector<Image<Vec2>> accForward_;
   std::vector<Image<Vec2>> accBackward_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -41,6 +42,36 @@ namespace fluidymation {
   const int y0 = static_cast<int>(y);
   const Lanes* top = frame + static_cast<std::ptrdiff_t>(y0) * width + x0;
   return interpolate(top, top + width, 1, x - static_cast<float>(x0), y - static_cast<float>(y0));
+}
+
+/// Weights of the four pixels at -1, 0, 1, 2 for a point at `t` in [0, 1] between the middle two:
+/// Keys' cubic convolution with a = -1/2, Catmull-Rom's spline. They sum to 1.
+[[nodiscard]] inline std::array<float, 4> cubicWeights(float t) {
+  return {((-0.5F * t + 1.0F) * t - 0.5F) * t, (1.5F * t - 2.5F) * t * t + 1.0F,
+          ((-1.5F * t + 2.0F) * t + 0.5F) * t, (0.5F * t - 0.5F) * t * t};
+}
+
+/// L, a, b and edge of one exemplar frame at a real position, by cubic interpolation; the position
+/// is clamped to the image, whose edge repeats.
+[[nodiscard]] inline Float4 sampleCubic(const Lanes* frame, Size size, float x, float y) {
+  const float cx = std::clamp(x, 0.0F, static_cast<float>(size.width - 1));
+  const float cy = std::clamp(y, 0.0F, static_cast<float>(size.height - 1));
+  const int x0 = static_cast<int>(cx);
+  const int y0 = static_cast<int>(cy);
+  const std::array<float, 4> wx = cubicWeights(cx - static_cast<float>(x0));
+  const std::array<float, 4> wy = cubicWeights(cy - static_cast<float>(y0));
+  Float4 sum{};
+  for (int j = 0; j < 4; ++j) {
+    const int row = std::clamp(y0 + j - 1, 0, size.height - 1);
+    const Lanes* pixels = frame + static_cast<std::ptrdiff_t>(row) * size.width;
+    Float4 along{};
+    for (int i = 0; i < 4; ++i) {
+      const int column = std::clamp(x0 + i - 1, 0, size.width - 1);
+      along += wx[static_cast<std::size_t>(i)] * pixels[column].low;
+    }
+    sum += wy[static_cast<std::size_t>(j)] * along;
+  }
+  return sum;
 }
 
 }  // namespace fluidymation

@@ -41,6 +41,7 @@ class Synthesizer {
   SynthesisOptions options_;
   std::vector<ExpectedUse> expectedUse_;  ///< from `finestSearched` on
   NearestNeighborField nnf_;
+  Image<float> owed_;  ///< movement kept for later, see `shift`; px, size of the target
   int frame_ = 0;
 };
 

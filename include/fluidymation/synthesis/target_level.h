@@ -5,6 +5,7 @@
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/synthesis/channels.h"
 #include "fluidymation/synthesis/pyramid.h"
 
 namespace fluidymation {
@@ -12,7 +13,7 @@ namespace fluidymation {
 /// One frame of the target on one pyramid level: the guides in the exemplar's units, the picture
 /// as it stands, and what the previous frame says. All images have the level's size.
 struct TargetLevel {
-  TargetLevel(const GuideLevel& guides, float borderWidthPx);
+  TargetLevel(const GuideLevel& guides, float borderWidthPx, const ExtentScale& extentScale = {});
 
   Image<Segment> segment;
   Image<float> edge;         ///< Channel::kEdge

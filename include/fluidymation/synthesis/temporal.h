@@ -14,10 +14,19 @@ namespace fluidymation {
 /// opposite. The smallest step wins ties; the walk stops where the place leaves the exemplar's mask
 /// and at the sequence's ends. The documents print differences of norms for the target's
 /// movement; they turn negative where motion turns back, and nothing would ever shift.
+///
+/// The exemplar has whole frames only, so that a step moves a match by somewhat more or less than
+/// the target moved. In the thesis the rest is lost: a target slower than half the exemplar's
+/// movement per frame never takes a step, and freezes. `owed` keeps the rest for the pixel's next
+/// step.
 /// @param target  guides of the new frame, full resolution.
+/// @param owed    if given: movement still to be made, px along the exemplar's time (negative:
+///   backwards); the target's size, or empty at first. Pixels without a match, and those whose walk
+///   was stopped short, owe nothing. A pixel at rest keeps what it owes and its frame.
 /// @return  matches for pixels of the new mask that had one before.
 [[nodiscard]] NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
-                                         const NearestNeighborField& previous);
+                                         const NearestNeighborField& previous,
+                                         Image<float>* owed = nullptr);
 
 /// 0 for v <= 0, 1 for v >= 1, 3v^2 - 2v^3 between, with v = (x - l) / (u - l); l > u falls.
 [[nodiscard]] float smoothstep(float x, float l, float u);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fluidymation/core/color.h"
+#include "fluidymation/options.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 
@@ -17,5 +18,11 @@ struct VotedPicture {
 /// @param segment  the picture is wanted where it is not Segment::kOutside; size of `nnf`.
 [[nodiscard]] VotedPicture vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
                                 const NearestNeighborField& nnf);
+
+/// The vote that is painted. Twenty-five turned and interpolated windows blur whatever they do not
+/// agree on; weighting a window by the distance of its centre and reading between pixels with a
+/// cubic kernel keeps more of the medium's detail (docs/quality.md).
+[[nodiscard]] VotedPicture paintedVote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
+                                       const NearestNeighborField& nnf, const VoteOptions& options);
 
 }  // namespace fluidymation

@@ -65,11 +65,11 @@ const std::vector<Fault>& faults() {
        [](Options& o) { o.synthesis.borderWidthPx = 0.05F; }},
       {"--prev-modulation-bounds 2,2: wanted m_u greater than m_l",
        [](Options& o) {
-         o.synthesis.prevModulation = {2.0F, 2.0F};
+         o.synthesis.prevModulation = ModulationBounds{2.0F, 2.0F};
        }},
       {"--prev-modulation-bounds nan: ",
        [](Options& o) {
-         o.synthesis.prevModulation = {10.0F, kNan};
+         o.synthesis.prevModulation = ModulationBounds{10.0F, kNan};
        }},
       {"--occ-radius -1: ", [](Options& o) { o.synthesis.occRadiusFrames = -1; }},
       {"--patchmatch-alpha 1: wanted a number in (0, 0.99]",

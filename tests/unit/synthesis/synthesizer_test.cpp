@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fluidymation/presets.h"
 #include "support/shapes.h"
 #include "support/synthetic_scene.h"
 
@@ -19,9 +20,11 @@ namespace {
 constexpr float kBorderWidthPx = 5.0F;
 
 SynthesisOptions smallOptions() {
-  SynthesisOptions options;
+  Options thesis;
+  applyThesisPreset(thesis);  // what the standard look changes has tests of its own
+  SynthesisOptions options = thesis.synthesis;
   options.borderWidthPx = kBorderWidthPx;
-  options.prevModulation = {5.0F, 1.0F};
+  options.prevModulation = ModulationBounds{5.0F, 1.0F};
   return options;
 }
 
@@ -355,7 +358,9 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   differs("lambda", [](SynthesisOptions& o) { o.lambda = 0.0F; });
   differs("occ-radius", [](SynthesisOptions& o) { o.occRadiusFrames = 0; });
   differs("patchmatch-alpha", [](SynthesisOptions& o) { o.patchmatchAlpha = 0.5F; });
-  differs("prev-modulation-bounds", [](SynthesisOptions& o) { o.prevModulation = {0.5F, 0.0F}; });
+  differs("prev-modulation-bounds", [](SynthesisOptions& o) {
+    o.prevModulation = ModulationBounds{0.5F, 0.0F};
+  });
   differs("patchmatch-iterations", [](SynthesisOptions& o) { o.patchmatchIterations = {1}; });
   differs("opt-iterations", [](SynthesisOptions& o) { o.optIterations = {1}; });
 }

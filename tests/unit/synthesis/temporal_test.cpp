@@ -96,6 +96,58 @@ TEST_F(Shift, PixelsOutsideTheNewMaskAndPixelsWithoutMatchGetNone) {
   EXPECT_FALSE(shifted(1, 0).exists());
 }
 
+/// The exemplar's frame under a target that moves right by `speedPx` in each of `steps` frames.
+class CarriedMotion : public Shift {
+ protected:
+  [[nodiscard]] int frameAfter(float speedPx, int steps, Image<float>* owed) const {
+    const Size one{1, 1};
+    GuideFrame target{Mask(one, 1),
+                      Image<float>(one, 5.0F),
+                      Image<Vec2>(one, Vec2{speedPx, 0.0F}),
+                      Image<Vec2>(one, Vec2{1.0F, 0.0F}),
+                      Image<Vec2>(one),
+                      Image<Vec2>(one),
+                      SolveReport{}};
+    NearestNeighborField nnf(one, Match{28.0F, 20.0F, 2, Rotation{}});
+    for (int i = 0; i < steps; ++i) nnf = shift(exemplar_, target, nnf, owed);
+    return nnf(0, 0).frame;
+  }
+};
+
+TEST_F(CarriedMotion, SlowTargetsMoveThroughTheExemplarAtTheirSpeed) {
+  // (28, 20) lies half-way between middle and rim at frame 2, where the exemplar moves by about
+  // half a pixel per frame.
+  Image<float> none;
+  const int fast = frameAfter(1.0F, 2, nullptr);
+  for (const int slowness : {5, 10}) {
+    Image<float> owed;
+    EXPECT_EQ(frameAfter(1.0F / static_cast<float>(slowness), 2 * slowness, &owed), fast);
+    EXPECT_EQ(frameAfter(1.0F / static_cast<float>(slowness), 2 * slowness, nullptr), 2);
+  }
+}
+
+TEST_F(CarriedMotion, AHoldStaysStill) {
+  Image<float> owed;
+  const int before = frameAfter(0.3F, 1, &owed);
+  EXPECT_NE(owed(0, 0), 0.0F);
+  const float kept = owed(0, 0);
+  const Size one{1, 1};
+  GuideFrame still{Mask(one, 1),     Image<float>(one, 5.0F),
+                   Image<Vec2>(one), Image<Vec2>(one, Vec2{1.0F, 0.0F}),
+                   Image<Vec2>(one), Image<Vec2>(one),
+                   SolveReport{}};
+  NearestNeighborField nnf(one, Match{28.0F, 20.0F, before, Rotation{}});
+  for (int i = 0; i < 20; ++i) nnf = shift(exemplar_, still, nnf, &owed);
+  EXPECT_EQ(nnf(0, 0).frame, before);
+  EXPECT_EQ(owed(0, 0), kept);
+}
+
+TEST_F(CarriedMotion, WhatTheExemplarsEndStoppedIsNotOwed) {
+  Image<float> owed;
+  EXPECT_EQ(frameAfter(100.0F, 1, &owed), 9);
+  EXPECT_EQ(owed(0, 0), 0.0F);
+}
+
 TEST(SetPrevious, ModulationComparesClampedDistances) {
   const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
   constexpr float kBorderWidthPx = 10.0F;

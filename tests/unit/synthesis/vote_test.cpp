@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
+#include <vector>
 
 #include "fluidymation/core/random.h"
+#include "fluidymation/synthesis/sampling.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {
@@ -49,6 +53,88 @@ TEST(Vote, AFieldThatTurnsByARightAngleTurnsThePicture) {
   for (int y = 2; y < 14; ++y) {
     for (int x = 2; x < 14; ++x) EXPECT_NEAR(picture.color(x, y).l, color(y, 15 - x).l, 1e-3F);
   }
+}
+
+/// A field of matches that agree on nothing.
+NearestNeighborField scattered(Size size, Size exemplar) {
+  NearestNeighborField nnf(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      Random random({5, 0, 0, 0, x, y});
+      const float angle = 0.1F * static_cast<float>(random.uniform(0, 62));
+      nnf(x, y) = {static_cast<float>(random.uniform(4, exemplar.width - 5)),
+                   static_cast<float>(random.uniform(4, exemplar.height - 5)),
+                   0,
+                   {std::cos(angle), std::sin(angle)}};
+    }
+  }
+  return nnf;
+}
+
+TEST(PaintedVote, WithTheThesisOptionsIsTheVote) {
+  const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
+  const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
+  const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
+  const VotedPicture plain = vote(exemplar, segment, nnf);
+  const VotedPicture painted = paintedVote(exemplar, segment, nnf, VoteOptions{0.0F, {}});
+  EXPECT_EQ(
+      std::memcmp(plain.color.data(), painted.color.data(), plain.color.pixelCount() * sizeof(Lab)),
+      0);
+}
+
+TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
+  const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
+  const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
+  const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
+  for (const Interpolation interpolation : {Interpolation::kBilinear, Interpolation::kCubic}) {
+    const VotedPicture picture = paintedVote(exemplar, segment, nnf, {0.05F, interpolation});
+    for (int y = 0; y < 12; ++y) {
+      for (int x = 0; x < 14; ++x) {
+        const float own = exemplar.pixel(nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0)[kLightness];
+        EXPECT_NEAR(picture.color(x, y).l, own, 1e-3F);
+      }
+    }
+  }
+}
+
+TEST(PaintedVote, AWiderWeightLiesBetween) {
+  const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
+  const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
+  const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
+  const auto spread = [&](float sigmaPx) {
+    const Image<Lab> color =
+        paintedVote(exemplar, segment, nnf, {sigmaPx, Interpolation::kBilinear}).color;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const Lab& c : color) {
+      sum += c.l;
+      squares += c.l * c.l;
+    }
+    const auto count = static_cast<double>(color.pixelCount());
+    return squares / count - sum / count * (sum / count);
+  };
+  // What does not agree is averaged away, the more the more windows count
+  EXPECT_GT(spread(0.4F), 1.2 * spread(0.8F));
+  EXPECT_GT(spread(0.8F), 1.2 * spread(0.0F));
+}
+
+TEST(CubicSampling, ReproducesQuadraticsAndPassesThroughThePixels) {
+  const Size size{12, 10};
+  std::vector<Lanes> frame;
+  const auto value = [](float x, float y) { return 0.3F * x * x - 0.2F * x * y + y - 2.0F; };
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      Lanes lanes;
+      lanes.low = Float4{value(static_cast<float>(x), static_cast<float>(y)), 0, 0, 0};
+      frame.push_back(lanes);
+    }
+  }
+  for (const auto& [x, y] : {std::pair{1.0F, 1.0F}, {3.25F, 4.5F}, {9.9F, 7.75F}, {5.0F, 2.5F}}) {
+    EXPECT_NEAR(sampleCubic(frame.data(), size, x, y)[0], value(x, y), 1e-4F) << x << ", " << y;
+  }
+  // Past the image the edge repeats
+  EXPECT_EQ(sampleCubic(frame.data(), size, -3.0F, -3.0F)[0],
+            sampleCubic(frame.data(), size, 0.0F, 0.0F)[0]);
 }
 
 TEST(Vote, AConstantExemplarVotesItsConstant) {

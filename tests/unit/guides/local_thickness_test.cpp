@@ -1,0 +1,74 @@
+#include "fluidymation/guides/local_thickness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fluidymation/guides/distance_field.h"
+#include "support/comparison.h"
+#include "support/shapes.h"
+
+namespace fluidymation {
+namespace {
+
+/// The definition, pixel pair by pixel pair.
+Image<float> bruteForceThickness(const Image<float>& distance, float limitPx) {
+  Image<float> thickness(distance.size());
+  for (int y = 0; y < distance.height(); ++y) {
+    for (int x = 0; x < distance.width(); ++x) {
+      if (distance(x, y) <= 0.0F) continue;
+      for (int py = 0; py < distance.height(); ++py) {
+        for (int px = 0; px < distance.width(); ++px) {
+          const float radius = distance(px, py);
+          const auto square = static_cast<float>((px - x) * (px - x) + (py - y) * (py - y));
+          if (radius <= 0.0F || square >= radius * radius) continue;
+          thickness(x, y) = std::max(thickness(x, y), std::min(radius, limitPx));
+        }
+      }
+    }
+  }
+  return thickness;
+}
+
+TEST(LocalThickness, IsTheRadiusOfTheLargestDiscThatCoversThePixel) {
+  constexpr float kUnlimited = 1000.0F;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Image<float> distance = signedDistance(test::randomBlobs({47, 38}, seed));
+    EXPECT_TRUE(test::nearEverywhere(bruteForceThickness(distance, kUnlimited),
+                                     localThickness(distance, kUnlimited), 2e-3F));
+  }
+}
+
+TEST(LocalThickness, StopsAtItsLimit) {
+  for (const float limitPx : {2.0F, 4.5F, 7.0F}) {
+    SCOPED_TRACE(limitPx);
+    const Image<float> distance = signedDistance(test::randomBlobs({47, 38}, 3));
+    // Past the limit a disc as large as the limit is looked for on the pixel grid: it may be missed
+    // by less than a pixel.
+    EXPECT_TRUE(test::nearEverywhere(bruteForceThickness(distance, limitPx),
+                                     localThickness(distance, limitPx), 1.0F));
+  }
+}
+
+TEST(LocalThickness, OfAnEmptyMaskIsZero) {
+  const Image<float> distance = signedDistance(Mask(Size{9, 7}));
+  EXPECT_TRUE(test::nearEverywhere(Image<float>({9, 7}), localThickness(distance, 5.0F), 0.0F));
+}
+
+TEST(StretchedDistance, TheMiddleOfAThinBarIsAsDeepAsTheRimIsWide) {
+  const Mask bar = test::maskOf({80, 40}, [](int, int y) { return y >= 16 && y < 23; });
+  const Image<float> stretched = stretchedDistance(signedDistance(bar), 10.0F);
+  EXPECT_FLOAT_EQ(stretched(40, 19), 10.0F);  // 4 px from the outside
+  EXPECT_FLOAT_EQ(stretched(40, 17), 5.0F);
+  EXPECT_FLOAT_EQ(stretched(40, 16), 2.5F);
+  EXPECT_FLOAT_EQ(stretched(40, 15), -1.0F);  // outside nothing changes
+}
+
+TEST(StretchedDistance, ThickPartsKeepTheirDistances) {
+  const Image<float> distance = signedDistance(test::disc({80, 80}, {40.0F, 40.0F}, 30.0F));
+  EXPECT_TRUE(test::nearEverywhere(distance, stretchedDistance(distance, 10.0F), 0.0F));
+}
+
+}  // namespace
+}  // namespace fluidymation
