@@ -81,7 +81,6 @@ struct SynthesisOptions {
   float lambda = 2.0F;            ///< spatial uniformity; §2.5, §3.3
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
   float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3
-  float borderWidthPx = 10.0F;    ///< border segment: distance below this; §3.4
   /// What `distWeight` is multiplied by, a channel scale. Twice the thesis preset's brings the edge
   /// colour profile from 4.7 to 4.1 dE (docs/quality.md).
   float edgeGain = 2.0F;
@@ -107,8 +106,15 @@ struct Options {
   SequenceOptions target;
   std::string outPath;  ///< printf pattern; numbered as `target`
 
-  MaskOptions sourceMask;
-  std::optional<float> targetBlurSigmaPx;  ///< the source's where not given
+  /// Smoothing of the exemplar's masks; where not given, it follows from their areas
+  /// (`automaticBlurSigmaPx`).
+  std::optional<float> blurSigmaPx;
+  /// The same for the target; where not given, `blurSigmaPx`, else from the areas of its own masks.
+  std::optional<float> targetBlurSigmaPx;
+  float maskThreshold = 0.3F;  ///< of both, in (0, 0.5]; §4.1
+  /// Border segment: distance below this, §3.4; where not given, it follows from the size of the
+  /// exemplar (`automaticBorderWidthPx`).
+  std::optional<float> borderWidthPx;
   float timeBlurSigmaFrames = 2.0F;
   /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.
   MotionModel motionModel = MotionModel::kNormals;

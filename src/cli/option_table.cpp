@@ -1,9 +1,11 @@
 #include "cli/option_table.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "cli/values.h"
+#include "fluidymation/automatic.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/presets.h"
@@ -119,6 +121,17 @@ class Table {
          }});
   }
 
+  /// A number in px of a field that is found from the inputs where it is not given.
+  void automatic(const char* name, const char* group, const char* what,
+                 const std::string& automaticValue, const Range& range, const char* section,
+                 Field<std::optional<float>> field) {
+    const std::string option = name;
+    specs_.push_back({option, group, "X", what + facts(automaticValue, "px", range.text(), section),
+                      false, [option, range, field](CommandLine& line, const std::string& value) {
+                        field(line) = parseFloat(option, value, range);
+                      }});
+  }
+
   /// One of a few words.
   template <typename T>
   void word(const char* name, const char* group, const char* what, const Words<T>& words,
@@ -203,19 +216,17 @@ void addSequences(Table& table) {
 }
 
 void addMasksAndMotion(Table& table) {
-  table.real("--blur-sigma", kMasks, "smoothing of the masks; 0 is off, thin parts vanish", "px",
-             ranges::kSigmasPx, "thesis §4.1",
-             [](CommandLine& c) -> float& { return c.options.sourceMask.blurSigmaPx; });
-  table.add({"--target-blur-sigma", kMasks, "X",
-             "the same for the animation alone, to keep its thin parts" +
-                 facts("as --blur-sigma", "", ranges::kSigmasPx.text(), "thesis §4.1"),
-             false, [](CommandLine& line, const std::string& value) {
-               line.options.targetBlurSigmaPx =
-                   parseFloat("--target-blur-sigma", value, ranges::kSigmasPx);
-             }});
+  table.automatic("--blur-sigma", kMasks, "smoothing of the masks; 0 is off, thin parts vanish",
+                  numberText(kBlurSigmaShare) + " sqrt(their mean area)", ranges::kSigmasPx,
+                  "thesis §4.1: 8",
+                  [](CommandLine& c) -> std::optional<float>& { return c.options.blurSigmaPx; });
+  table.automatic(
+      "--target-blur-sigma", kMasks, "the same for the animation alone, to keep its thin parts",
+      "as --blur-sigma, else likewise", ranges::kSigmasPx, "thesis §4.1",
+      [](CommandLine& c) -> std::optional<float>& { return c.options.targetBlurSigmaPx; });
   table.real("--mask-threshold", kMasks, "inside is what the smoothed mask has from here up", "",
              ranges::kThresholds, "thesis §4.1",
-             [](CommandLine& c) -> float& { return c.options.sourceMask.threshold; });
+             [](CommandLine& c) -> float& { return c.options.maskThreshold; });
   table.real("--time-blur-sigma", kMasks, "smoothing of the edges' movement in time", "frames",
              ranges::kTimeSigmasFrames, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.timeBlurSigmaFrames; });
@@ -237,9 +248,10 @@ void addGuides(Table& table) {
   table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
-  table.real("--border-width", kGuides, "width of the border segment", "px", ranges::kWidthsPx,
-             "thesis §3.4",
-             [](CommandLine& c) -> float& { return c.options.synthesis.borderWidthPx; });
+  table.automatic("--border-width", kGuides, "width of the border segment",
+                  numberText(kBorderWidthShare) + " sqrt(the film's width x height)",
+                  ranges::kWidthsPx, "thesis §3.4: 10",
+                  [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
   table.word<ThinParts>("--thin-parts", kGuides,
                         "of the animation, thinner than the film's rim; body: they\n"
                         "get its inner colour; fringe: its rim only",

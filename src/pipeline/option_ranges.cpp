@@ -75,7 +75,6 @@ void check(const SynthesisOptions& synthesis) {
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
-  check("--border-width", synthesis.borderWidthPx, ranges::kWidthsPx);
   if (synthesis.prevModulation) check(*synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--lambda", synthesis.lambda, ranges::kWeights);
@@ -123,11 +122,12 @@ void validate(const Options& options) {
   if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
     throw UsageError("--dump-guides with an empty value: wanted a folder's name");
   }
-  check("--blur-sigma", options.sourceMask.blurSigmaPx, ranges::kSigmasPx);
+  if (options.blurSigmaPx) check("--blur-sigma", *options.blurSigmaPx, ranges::kSigmasPx);
   if (options.targetBlurSigmaPx) {
     check("--target-blur-sigma", *options.targetBlurSigmaPx, ranges::kSigmasPx);
   }
-  check("--mask-threshold", options.sourceMask.threshold, ranges::kThresholds);
+  check("--mask-threshold", options.maskThreshold, ranges::kThresholds);
+  if (options.borderWidthPx) check("--border-width", *options.borderWidthPx, ranges::kWidthsPx);
   check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check(options.synthesis);
   check("--threads", options.threads, ranges::kThreads);

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "fluidymation/automatic.h"
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
@@ -41,6 +43,47 @@ void tellOfFlow(const Observer& observer, const std::string& option, int frameNu
   if (note && observer.note) observer.note(*note);
 }
 
+/// The mean-area rule's sigma for a sequence of masks. Looks at no more than kFramesLookedAt of
+/// them, evenly spread: they are decoded once more for it.
+float automaticSigma(const InputSequence& masks, MaskChannel channel,
+                     const std::function<void()>& beforeFrame) {
+  constexpr int kFramesLookedAt = 24;
+  const int count = masks.files.count();
+  const int looks = std::min(count, kFramesLookedAt);
+  std::vector<std::size_t> areas;
+  for (int i = 0; i < looks; ++i) {
+    beforeFrame();
+    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
+    areas.push_back(countInside(readMask(masks, channel, frame)));
+  }
+  return automaticBlurSigmaPx(areas);
+}
+
+/// Gives a value to every width that the user has left open.
+void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskChannel targetChannel,
+                         const std::function<void()>& beforeFrame, Options& options) {
+  if (!options.targetBlurSigmaPx) {
+    options.targetBlurSigmaPx = options.blurSigmaPx
+                                    ? *options.blurSigmaPx
+                                    : automaticSigma(inputs.target, targetChannel, beforeFrame);
+  }
+  if (!options.blurSigmaPx) {
+    options.blurSigmaPx = automaticSigma(inputs.sourceMask, sourceChannel, beforeFrame);
+  }
+  if (!options.borderWidthPx) options.borderWidthPx = automaticBorderWidthPx(inputs.color.scaled);
+}
+
+/// Tells the user what has been found, in words that can be given as options.
+void tellOfWidths(const Observer& observer, const Options& given, const Options& found) {
+  std::string text;
+  if (!given.blurSigmaPx) text += " --blur-sigma " + numberText(*found.blurSigmaPx);
+  if (!given.targetBlurSigmaPx && !given.blurSigmaPx) {
+    text += " --target-blur-sigma " + numberText(*found.targetBlurSigmaPx);
+  }
+  if (!given.borderWidthPx) text += " --border-width " + numberText(*found.borderWidthPx);
+  if (!text.empty() && observer.note) observer.note("chosen by size:" + text);
+}
+
 /// @throws Error when no mask of the exemplar holds any material.
 void requireMaterial(const Options& options, const GuideStream& guides) {
   if (guides.anyInside()) return;
@@ -55,7 +98,7 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
 Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
-                    options.synthesis.borderWidthPx);
+                    *options.borderWidthPx);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     stopIfCancelled(observer, 0, inputs.target.files.count());
     exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
@@ -95,12 +138,13 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
 
 }  // namespace
 
-void stylize(const Options& options, const Observer& observer) {
+void stylize(const Options& given, const Observer& observer) {
   using Clock = std::chrono::steady_clock;
-  validate(options);
-  const ThreadCount threads(options.threads);
+  validate(given);
+  const ThreadCount threads(given.threads);
 
-  const Inputs inputs = openInputs(options, observer);
+  const Inputs inputs = openInputs(given, observer);
+  Options options = given;
   const std::vector<std::string> outPaths = checkOutput(options, inputs);
   const int frameCount = inputs.target.files.count();
   const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
@@ -108,27 +152,29 @@ void stylize(const Options& options, const Observer& observer) {
   // All files are read before anything is written, and only masks and colours are kept: a damaged
   // one must leave neither half a dump nor an empty folder.
   const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
+  const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
+  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
+  tellOfWidths(observer, given, options);
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
         stopBeforeTheFirst();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
-      GuideOptions{options.sourceMask, options.timeBlurSigmaFrames});
+      GuideOptions{MaskOptions{*options.blurSigmaPx, options.maskThreshold},
+                   options.timeBlurSigmaFrames});
   requireMaterial(options, sourceGuides);
-  MaskOptions targetMask = options.sourceMask;
-  targetMask.blurSigmaPx = options.targetBlurSigmaPx.value_or(targetMask.blurSigmaPx);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   const MaskReader readTarget =
-      countingReader(inputs.target, maskChannel(inputs.target, stopBeforeTheFirst),
-                     options.target.path, otherBytes);
+      countingReader(inputs.target, targetChannel, options.target.path, otherBytes);
   GuideStream guides(
       frameCount,
       [&](int frame) {
         stopBeforeTheFirst();
         return readTarget(frame);
       },
-      GuideOptions{targetMask, options.timeBlurSigmaFrames, options.motionModel});
+      GuideOptions{MaskOptions{*options.targetBlurSigmaPx, options.maskThreshold},
+                   options.timeBlurSigmaFrames, options.motionModel});
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

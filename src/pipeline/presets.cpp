@@ -3,8 +3,10 @@
 namespace fluidymation {
 
 void applyThesisPreset(Options& options) {
-  options.sourceMask = {8.0F, 0.3F};
+  options.blurSigmaPx = 8.0F;
   options.targetBlurSigmaPx.reset();
+  options.maskThreshold = 0.3F;
+  options.borderWidthPx = 10.0F;
   options.timeBlurSigmaFrames = 2.0F;
   SynthesisOptions& synthesis = options.synthesis;
   synthesis.distWeight = 5.0F;
@@ -13,7 +15,6 @@ void applyThesisPreset(Options& options) {
   synthesis.lambda = 2.0F;
   synthesis.occRadiusFrames = 10;
   synthesis.patchmatchAlpha = 0.75F;
-  synthesis.borderWidthPx = 10.0F;
   synthesis.prevModulation = ModulationBounds{10.0F, 2.0F};
   synthesis.edgeGain = 1.0F;
   synthesis.patchmatchIterations = {6, 4};

@@ -26,10 +26,9 @@ int valueAt(const std::vector<int>& list, int level, int coarsest) {
 }
 
 /// Those given, else as many as the border width tells.
-ModulationBounds modulationBounds(const SynthesisOptions& options) {
-  return options.prevModulation.value_or(
-      ModulationBounds{kModulationShares.upper * options.borderWidthPx,
-                       kModulationShares.lower * options.borderWidthPx});
+ModulationBounds modulationBounds(const SynthesisOptions& options, float borderWidthPx) {
+  return options.prevModulation.value_or(ModulationBounds{kModulationShares.upper * borderWidthPx,
+                                                          kModulationShares.lower * borderWidthPx});
 }
 
 bool hasAnyMatch(const NearestNeighborField& nnf) {
@@ -55,7 +54,7 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   std::vector<GuideLevel> guides;
   guides.push_back(finestLevel(frame));
   if (options_.thinParts == ThinParts::kBody) {
-    guides.back().distance = stretchedDistance(frame.distance, options_.borderWidthPx);
+    guides.back().distance = stretchedDistance(frame.distance, exemplar_.level(0).borderWidthPx());
   }
   for (int l = 1; l <= coarsest; ++l) guides.push_back(halve(guides.back()));
 
@@ -63,7 +62,7 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   Image<Lab> picture(frame.mask.size());
   if (countInside(frame.mask) > 0) {
     for (int l = coarsest; l >= 0; --l) {
-      TargetLevel target(guides[static_cast<std::size_t>(l)], options_.borderWidthPx,
+      TargetLevel target(guides[static_cast<std::size_t>(l)], exemplar_.level(0).borderWidthPx(),
                          exemplar_.extentScale());
       nnf = l < finestSearched() ? upscale(nnf, target.segment)
                                  : optimizedField(l, nnf, shifted, fresh, target);
@@ -105,7 +104,8 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
     }
   } else {
     NearestNeighborField downscaled = downscale(shifted, level);
-    setPrevious(exemplar, options_.borderWidthPx, modulationBounds(options_), downscaled, target);
+    setPrevious(exemplar, exemplar.borderWidthPx(),
+                modulationBounds(options_, exemplar.borderWidthPx()), downscaled, target);
     nnf = level == coarsest
               ? std::move(downscaled)
               : merge(problem, weights, upscale(coarser, target.segment), downscaled, target);

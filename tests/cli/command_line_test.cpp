@@ -83,9 +83,9 @@ const std::vector<Reaching>& reachingOptions() {
       {"--target-frames", "1000000", [](C c) { return c.options.target.frames == 1000000; }},
       {"--target-speed", "2", [](C c) { return c.options.target.speed == 2; }},
       {"--target-scale", "16", [](C c) { return c.options.target.scale == 16.0; }},
-      {"--blur-sigma", "0", [](C c) { return c.options.sourceMask.blurSigmaPx == 0.0F; }},
+      {"--blur-sigma", "0", [](C c) { return c.options.blurSigmaPx == 0.0F; }},
       {"--target-blur-sigma", "1e1", [](C c) { return c.options.targetBlurSigmaPx == 10.0F; }},
-      {"--mask-threshold", ".5", [](C c) { return c.options.sourceMask.threshold == 0.5F; }},
+      {"--mask-threshold", ".5", [](C c) { return c.options.maskThreshold == 0.5F; }},
       {"--time-blur-sigma", "1.25", [](C c) { return c.options.timeBlurSigmaFrames == 1.25F; }},
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
@@ -94,7 +94,7 @@ const std::vector<Reaching>& reachingOptions() {
       {"--occ-radius", "5", [](C c) { return c.options.synthesis.occRadiusFrames == 5; }},
       {"--patchmatch-alpha", "0.5",
        [](C c) { return c.options.synthesis.patchmatchAlpha == 0.5F; }},
-      {"--border-width", "30", [](C c) { return c.options.synthesis.borderWidthPx == 30.0F; }},
+      {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
          return c.options.synthesis.prevModulation->upperPx == 7.5F &&
@@ -156,9 +156,8 @@ TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
       EXPECT_EQ(sequence.speed, 1);
       EXPECT_EQ(sequence.scale, 1.0);
     }
-    EXPECT_EQ(o.sourceMask.blurSigmaPx, 8.0F);
     EXPECT_FALSE(o.targetBlurSigmaPx);
-    EXPECT_EQ(o.sourceMask.threshold, 0.3F);
+    EXPECT_EQ(o.maskThreshold, 0.3F);
     EXPECT_EQ(o.timeBlurSigmaFrames, 2.0F);
     EXPECT_EQ(o.synthesis.distWeight, 5.0F);
     EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
@@ -166,7 +165,6 @@ TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
     EXPECT_EQ(o.synthesis.lambda, 2.0F);
     EXPECT_EQ(o.synthesis.occRadiusFrames, 10);
     EXPECT_EQ(o.synthesis.patchmatchAlpha, 0.75F);
-    EXPECT_EQ(o.synthesis.borderWidthPx, 10.0F);
     EXPECT_EQ(o.synthesis.patchmatchIterations, (List{6, 4}));
     EXPECT_EQ(o.synthesis.optIterations, (List{4, 3, 2}));
     EXPECT_EQ(o.synthesis.seed, 0U);
@@ -176,6 +174,8 @@ TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
 
 TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   const Options all = parse(complete({"--preset", "thesis"})).options;
+  EXPECT_EQ(all.blurSigmaPx, 8.0F);
+  EXPECT_EQ(all.borderWidthPx, 10.0F);
   EXPECT_EQ(all.motionModel, MotionModel::kNormals);
   EXPECT_EQ(all.synthesis.thinParts, ThinParts::kFringe);
   EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
@@ -293,7 +293,7 @@ TEST(CommandLine, EndsOfARangeBelongToItWhateverTheirBinaryForm) {
   const Options options =
       parse(complete({"--patchmatch-alpha", "0.99", "--border-width", "0.1"})).options;
   EXPECT_EQ(options.synthesis.patchmatchAlpha, 0.99F);
-  EXPECT_EQ(options.synthesis.borderWidthPx, 0.1F);
+  EXPECT_EQ(options.borderWidthPx, 0.1F);
 }
 
 TEST(CommandLine, EmptyValuesAreRefusedForEveryOption) {
@@ -432,7 +432,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "Guides:",
                            "Synthesis:",
                            "Running:",
-                           "(default 8 px; in [0, 1000]",
+                           "(default 0.0125 sqrt(their mean area) px; in [0, 1000]",
                            "(default 0.3; in (0, 0.5]",
                            "(default 0.75; in (0, 0.99]",
                            "(default 0.7 and 0.15 of the border width, px;",
@@ -440,7 +440,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "(default 4,3,2;",
                            "(default 50 frames; in [1, 1000000]",
                            "(default 0.1;",
-                           "(default as --blur-sigma;",
+                           "(default as --blur-sigma, else likewise px;",
                            "OMP_NUM_THREADS",
                            "SLURM_CPUS_PER_TASK",
                            "thesis §3.7"}) {

@@ -32,6 +32,7 @@ class ExemplarLevel {
 
   [[nodiscard]] Size size() const { return size_; }
   [[nodiscard]] int frameCount() const { return frameCount_; }
+  [[nodiscard]] float borderWidthPx() const { return borderWidthPx_; }
 
   [[nodiscard]] const Lanes* frame(int k) const { return pixels_.data() + offset(0, 0, k); }
   [[nodiscard]] const Lanes& pixel(int x, int y, int k) const { return pixels_[offset(x, y, k)]; }

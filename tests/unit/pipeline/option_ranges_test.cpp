@@ -51,10 +51,10 @@ const std::vector<Fault>& faults() {
       {"--target-speed 0: ", [](Options& o) { o.target.speed = 0; }},
       {"--src-scale 0: wanted a number in (0, 16]", [](Options& o) { o.source.scale = 0.0; }},
       {"--target-scale nan: ", [](Options& o) { o.target.scale = std::nan(""); }},
-      {"--blur-sigma -1: ", [](Options& o) { o.sourceMask.blurSigmaPx = -1.0F; }},
+      {"--blur-sigma -1: ", [](Options& o) { o.blurSigmaPx = -1.0F; }},
       {"--target-blur-sigma inf: ", [](Options& o) { o.targetBlurSigmaPx = kInfinity; }},
       {"--mask-threshold 0.6: wanted a number in (0, 0.5]",
-       [](Options& o) { o.sourceMask.threshold = 0.6F; }},
+       [](Options& o) { o.maskThreshold = 0.6F; }},
       {"--time-blur-sigma 51: wanted a number in [0, 50]",
        [](Options& o) { o.timeBlurSigmaFrames = 51.0F; }},
       {"--dist-weight nan: ", [](Options& o) { o.synthesis.distWeight = kNan; }},
@@ -62,7 +62,7 @@ const std::vector<Fault>& faults() {
       {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},
       {"--lambda nan: ", [](Options& o) { o.synthesis.lambda = kNan; }},
       {"--border-width 0.05: wanted a number in [0.1, 10000]",
-       [](Options& o) { o.synthesis.borderWidthPx = 0.05F; }},
+       [](Options& o) { o.borderWidthPx = 0.05F; }},
       {"--prev-modulation-bounds 2,2: wanted m_u greater than m_l",
        [](Options& o) {
          o.synthesis.prevModulation = ModulationBounds{2.0F, 2.0F};
@@ -91,7 +91,7 @@ TEST(Validate, AcceptsTheDefaultsAndTheEndsOfTheRanges) {
   EXPECT_EQ(messageOf<Error>([] { validate(valid()); }), "");
   Options ends = valid();
   ends.synthesis.patchmatchAlpha = 0.99F;
-  ends.synthesis.borderWidthPx = 0.1F;
+  ends.borderWidthPx = 0.1F;
   ends.timeBlurSigmaFrames = 50.0F;
   EXPECT_EQ(messageOf<Error>([&] { validate(ends); }), "");
 }

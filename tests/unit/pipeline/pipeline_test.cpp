@@ -22,9 +22,9 @@ Options optionsFor(const SmallScene& scene) {
   options.sourceMaskPath = scene.file("mask/%05d.png");
   options.target.path = scene.file("target/%05d.png");
   options.outPath = scene.file("out/%05d.png");
-  options.sourceMask.blurSigmaPx = 1.0F;
+  options.blurSigmaPx = 1.0F;
   options.timeBlurSigmaFrames = 1.0F;
-  options.synthesis.borderWidthPx = 3.0F;
+  options.borderWidthPx = 3.0F;
   return options;
 }
 

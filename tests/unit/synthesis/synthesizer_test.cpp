@@ -23,7 +23,6 @@ SynthesisOptions smallOptions() {
   Options thesis;
   applyThesisPreset(thesis);  // what the standard look changes has tests of its own
   SynthesisOptions options = thesis.synthesis;
-  options.borderWidthPx = kBorderWidthPx;
   options.prevModulation = ModulationBounds{5.0F, 1.0F};
   return options;
 }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "fluidymation/core/geometry.h"
+
+namespace fluidymation {
+
+// Widths that are found from the inputs where none are given, so that no guide's effect depends on
+// the resolution of a film or an animation.
+
+/// Sigma of the mask smoothing as a share of the square root of the masks' mean area. 8 px suits a
+/// figure that fills a frame of 800 px, 3 px one of 350 px; their areas are a half to a third of
+/// the squares round them.
+inline constexpr float kBlurSigmaShare = 0.0125F;
+
+/// Border width as a share of sqrt(width x height) of the exemplar: 10 px for 400x222, where the
+/// rims of filmed media end.
+inline constexpr float kBorderWidthShare = 0.035F;
+
+/// @param areas  mask pixels of each frame; frames without any do not count.
+/// @return  px, rounded to tenths; 0 when no frame has any.
+[[nodiscard]] float automaticBlurSigmaPx(const std::vector<std::size_t>& areas);
+
+/// @param exemplar  size as scaled. @return  px, rounded to tenths, at least 1.
+[[nodiscard]] float automaticBorderWidthPx(Size exemplar);
+
+}  // namespace fluidymation

@@ -1,0 +1,31 @@
+#include "fluidymation/automatic.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fluidymation {
+namespace {
+
+TEST(AutomaticWidths, GrowWithTheResolution) {
+  for (const int scale : {1, 2, 4}) {
+    const auto area = static_cast<std::size_t>(40'000 * scale * scale);
+    EXPECT_FLOAT_EQ(automaticBlurSigmaPx({area, area}), 2.5F * static_cast<float>(scale));
+    EXPECT_NEAR(automaticBorderWidthPx({400 * scale, 222 * scale}),
+                10.4F * static_cast<float>(scale), 0.1F * static_cast<float>(scale));
+  }
+}
+
+TEST(AutomaticWidths, EmptyFramesDoNotCount) {
+  EXPECT_EQ(automaticBlurSigmaPx({0, 40'000, 0, 0}), automaticBlurSigmaPx({40'000}));
+  EXPECT_EQ(automaticBlurSigmaPx({0, 0}), 0.0F);
+  EXPECT_EQ(automaticBlurSigmaPx({}), 0.0F);
+}
+
+TEST(AutomaticWidths, AreMeansOverFramesAndTenthsOfAPixel) {
+  EXPECT_FLOAT_EQ(automaticBlurSigmaPx({10'000, 30'000}), 1.8F);  // 1.77
+  EXPECT_FLOAT_EQ(automaticBorderWidthPx({1, 1}), 1.0F);
+}
+
+}  // namespace
+}  // namespace fluidymation
