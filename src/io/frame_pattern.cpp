@@ -48,7 +48,8 @@ struct Conversion {
   }
   if (i == text.size()) refuse(text, "the % is followed by no conversion (%% is a percent sign)");
   if (text[i] != 'd' && text[i] != 'i' && text[i] != 'u') {
-    refuse(text, "\"" + text.substr(begin, i - begin + 1) +
+    const std::string found = text.substr(begin, i - begin + 1);
+    refuse(text, '"' + found +
                      "\" is no frame number (%d, %i, %u, also %5d and %05d; %% is a percent sign)");
   }
   conversion.length = i + 1 - begin;

@@ -97,8 +97,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
-         return c.options.synthesis.prevModulation->upperPx == 7.5F &&
-                c.options.synthesis.prevModulation->lowerPx == 0.0F;
+         const std::optional<ModulationBounds>& bounds = c.options.synthesis.prevModulation;
+         return bounds && bounds->upperPx == 7.5F && bounds->lowerPx == 0.0F;
        }},
       {"--patchmatch-iterations", "3",
        [](C c) { return c.options.synthesis.patchmatchIterations == List{3}; }},
