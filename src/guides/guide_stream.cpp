@@ -7,7 +7,6 @@
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
-#include "fluidymation/guides/distance_field.h"
 #include "fluidymation/guides/motion.h"
 #include "shape_change.h"
 
@@ -35,22 +34,14 @@ Image<Vec2> scatter(const Mask& mask, const std::vector<Vec2>& values) {
   return image;
 }
 
-/// A shape without an edge within the image has no distance to it.
-bool hasEdge(const Mask& mask) {
-  const std::size_t inside = countInside(mask);
-  return inside != 0 && inside != mask.pixelCount();
-}
-
 }  // namespace
 
 GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
-  for (int i = 0; i < frameCount; ++i) {
-    const Mask mask = smoothMask(readMask(i), options.mask);
-    StoredFrame frame;
-    frame.mask = PackedMask(mask);
-    assert(frames_.empty() || frame.mask.size() == frames_.front().mask.size());
+  for (PackedShape& shape : readShapes(frameCount, readMask, options.mask)) {
+    const Mask mask = shape.mask();
+    StoredFrame frame{std::move(shape), {}, {}, {}};
     frame.flow.resize(countInside(mask));  // zero, until the frame turns out to move
     frames_.push_back(std::move(frame));
     edge.push_back(hasEdge(mask));
@@ -67,13 +58,13 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   }
 
   // Motion still to come, from the last frame backwards (§3.5)
-  Mask nextMask = frames_.back().mask.unpack();
+  Mask nextMask = frames_.back().shape.mask();
   Image<Vec2> nextFlow = scatter(nextMask, frames_.back().flow);
   Image<Vec2> accumulated(nextMask.size());
   frames_.back().accBackward.resize(frames_.back().flow.size());
   for (int i = frameCount - 2; i >= 0; --i) {
     StoredFrame& frame = frames_[at(i)];
-    Mask mask = frame.mask.unpack();
+    Mask mask = frame.shape.mask();
     Image<Vec2> flow = scatter(mask, frame.flow);
     accumulated = accumulateBackward(accumulated, nextFlow, nextMask, flow, mask);
     frame.accBackward = gather(mask, accumulated);
@@ -85,10 +76,10 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
 void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
   if (end - begin < 2) return;  // a single frame does not move
   ShapeChanges changes(end - begin, options.timeBlurSigmaFrames,
-                       [&](int i) { return frames_[at(begin + i)].mask.unpack(); });
+                       [&](int i) { return frames_[at(begin + i)].shape.edgeDistance(); });
   for (int i = begin; i < end; ++i) {
     StoredFrame& frame = frames_[at(i)];
-    const Mask mask = frame.mask.unpack();
+    const Mask mask = frame.shape.mask();
     const MotionField motion = motionField(mask, changes.at(i - begin), options.motionModel);
     frame.flow = gather(mask, motion.flow);
     frame.diffusion = motion.report;
@@ -105,8 +96,7 @@ GuideFrame GuideStream::next() {
   assert(nextFrame_ < frameCount());
   StoredFrame& stored = frames_[at(nextFrame_)];
   GuideFrame guides;
-  guides.mask = stored.mask.unpack();
-  guides.distance = signedDistance(guides.mask);
+  stored.shape.addTo(guides);
   guides.flow = scatter(guides.mask, stored.flow);
   guides.accBackward = scatter(guides.mask, stored.accBackward);
   stored.flow = {};  // given away, and not asked for again

@@ -18,11 +18,12 @@ struct Box {
 };
 
 /// The smallest box that holds the mask, grown by `margin` pixels as far as the image reaches.
-Box boundingBox(const Mask& mask, int margin) {
+template <typename T>
+Box boundingBox(const Image<T>& mask, int margin) {
   Box box{mask.width(), mask.height(), 0, 0};
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) == 0) continue;
+      if (mask(x, y) == T{}) continue;
       box.beginX = std::min(box.beginX, x);
       box.beginY = std::min(box.beginY, y);
       box.endX = std::max(box.endX, x + 1);
@@ -56,6 +57,23 @@ Mask smoothMask(const Mask& mask, const MaskOptions& options) {
     for (int x = 0; x < coverage.width(); ++x) {
       smooth(box.beginX + x, box.beginY + y) = coverage(x, y) >= options.threshold ? 1 : 0;
     }
+  }
+  return smooth;
+}
+
+Image<float> smoothCoverage(const Image<float>& coverage, float sigmaPx) {
+  const int reach = gaussianReach(sigmaPx);
+  if (reach == 0) return coverage.clone();
+  const Box box = boundingBox(coverage, reach);  // as for masks
+  const int width = box.endX - box.beginX;
+  Image<float> within(Size{width, box.endY - box.beginY});
+  for (int y = 0; y < within.height(); ++y) {
+    std::copy_n(coverage.row(box.beginY + y) + box.beginX, width, within.row(y));
+  }
+  within = gaussianBlur(within, sigmaPx);
+  Image<float> smooth(coverage.size());
+  for (int y = 0; y < within.height(); ++y) {
+    std::copy_n(within.row(y), width, smooth.row(box.beginY + y) + box.beginX);
   }
   return smooth;
 }

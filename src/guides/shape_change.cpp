@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
-#include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/gaussian.h"
 
 namespace fluidymation {
 namespace {
@@ -16,14 +16,14 @@ int endOf(const TemporalWeights& window) {
 
 }  // namespace
 
-ShapeChanges::ShapeChanges(int frameCount, float sigmaFrames, MaskOf maskOf)
-    : frameCount_(frameCount), sigmaFrames_(sigmaFrames), maskOf_(std::move(maskOf)) {}
+ShapeChanges::ShapeChanges(int frameCount, float sigmaFrames, DistanceOf distanceOf)
+    : frameCount_(frameCount), sigmaFrames_(sigmaFrames), distanceOf_(std::move(distanceOf)) {}
 
 ShapeChange ShapeChanges::at(int frame) {
   const TemporalWeights window = temporalWeights(frame, frameCount_, sigmaFrames_);
   const TemporalWeights steps = stepWeights(std::max(frame, 1), frameCount_, sigmaFrames_);
   provide(std::min(window.firstFrame, steps.firstFrame), std::max(endOf(window), endOf(steps) + 1));
-  depth_ = continuousDistance(signedDistance(maskOf_(frame)));
+  depth_ = distanceOf_(frame);
   smooth_ = average(window);
   ShapeChange change{depth_, smooth_, {}, steps.weights};
   for (int i = steps.firstFrame; i <= endOf(steps); ++i) change.fields.push_back(&field(i));
@@ -38,7 +38,7 @@ void ShapeChanges::provide(int first, int end) {
   for (; firstField_ < first; ++firstField_) fields_.pop_front();
   while (firstField_ + static_cast<int>(fields_.size()) < end) {
     const int frame = firstField_ + static_cast<int>(fields_.size());
-    fields_.push_back(motionDistance(signedDistance(maskOf_(frame))));
+    fields_.push_back(gaussianBlur(distanceOf_(frame), kStaircaseSigmaPx));
   }
 }
 

@@ -11,13 +11,14 @@ namespace fluidymation {
 
 /// What the shapes of a run of frames, all of which have an edge, say about their movement. Asked
 /// for in the order of the frames; only the distance fields that the temporal kernel reaches exist
-/// at a time. A mask is asked for twice: for its field, and for its depth when its turn comes.
+/// at a time. A distance is asked for twice: for its field, and for its depth when its turn comes.
 class ShapeChanges {
  public:
-  using MaskOf = std::function<Mask(int frame)>;  ///< frames count from the beginning of the run
+  /// `continuousDistance` or `outlineDistance`; frames count from the beginning of the run.
+  using DistanceOf = std::function<Image<float>(int frame)>;
 
   /// @param frameCount  of the run, >= 2.
-  ShapeChanges(int frameCount, float sigmaFrames, MaskOf maskOf);
+  ShapeChanges(int frameCount, float sigmaFrames, DistanceOf distanceOf);
 
   /// The change that leads to `frame`; the first frame moves as it does towards the second. Valid
   /// until the next call.
@@ -31,7 +32,7 @@ class ShapeChanges {
 
   int frameCount_;
   float sigmaFrames_;
-  MaskOf maskOf_;
+  DistanceOf distanceOf_;
   int firstField_ = 0;
   std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
   Image<float> depth_;

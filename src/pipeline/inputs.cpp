@@ -12,9 +12,6 @@
 namespace fluidymation {
 namespace {
 
-/// A mask image is inside from half the range up.
-constexpr float kInsideCoverage = 0.5F;
-
 InputSequence openSequence(const std::string& path, const SequenceOptions& sequence,
                            const std::string& optionName, const Observer& observer) {
   InputSequence input;
@@ -89,20 +86,19 @@ MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>&
   return MaskChannel::kBrightness;
 }
 
-Mask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
+InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
-  const Image<float> coverage = resize(readCoverage(path, channel, masks.stored), masks.scaled);
-  Mask mask(masks.scaled);
-  std::transform(coverage.begin(), coverage.end(), mask.begin(),
-                 [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
-  return mask;
+  const Image<float> stored = readCoverage(path, channel, masks.stored);
+  const bool soft =
+      std::any_of(stored.begin(), stored.end(), [](float c) { return c > 0.0F && c < 1.0F; });
+  return {resize(stored, masks.scaled), soft};
 }
 
 MaskReader countingReader(const InputSequence& masks, MaskChannel channel, const std::string& path,
                           std::int64_t otherBytes) {
   return [&masks, channel, path, bytes = otherBytes](int frame) mutable {
-    Mask mask = readMask(masks, channel, frame);
-    bytes += kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(mask));
+    InputMask mask = readMask(masks, channel, frame);
+    bytes += bytesKept(mask);
     if (bytes <= kMaxRunBytes) return mask;
     throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
                      std::to_string(masks.files.count()) + " frames need about " +

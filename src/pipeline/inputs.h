@@ -43,11 +43,11 @@ struct Inputs {
 [[nodiscard]] MaskChannel maskChannel(const InputSequence& masks,
                                       const std::function<void()>& beforeFrame);
 
-/// Reads mask `frame` of a sequence, scales it as gray and cuts it at one half.
+/// Reads mask `frame` of a sequence and scales it as gray.
 /// @throws Error naming the file, also when its size is no longer the one found at first.
-[[nodiscard]] Mask readMask(const InputSequence& masks, MaskChannel channel, int frame);
+[[nodiscard]] InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame);
 
-/// Reads the target's masks and counts what is kept of them: `kBytesPerMaskPixel`.
+/// Reads the target's masks and counts what is kept of them: `bytesKept`.
 /// @param masks       must outlive the reader.
 /// @param path        of --target-path, for the message.
 /// @param otherBytes  what the run needs besides.

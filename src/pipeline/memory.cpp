@@ -94,6 +94,13 @@ std::int64_t bytesOfRun(const RunSize& run) {
   return static_cast<std::int64_t>(kProgramBytes + masks + std::max({flow, reading, painting}));
 }
 
+std::int64_t bytesKept(const InputMask& mask) {
+  const Mask cut = mask.cut();
+  std::int64_t bytes = kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(cut));
+  if (mask.soft) bytes += kBytesPerCrossing * static_cast<std::int64_t>(countCrossings(cut));
+  return bytes;
+}
+
 std::string gibibytes(std::int64_t bytes) {
   constexpr std::int64_t kGibibyte = std::int64_t{1} << 30;
   const std::int64_t tenths = (10 * bytes + kGibibyte - 1) / kGibibyte;

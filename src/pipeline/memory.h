@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fluidymation/core/geometry.h"
+#include "fluidymation/guides/packed_shape.h"
 
 namespace fluidymation {
 
@@ -25,9 +26,12 @@ struct RunSize {
 /// motion still to come, a Vec2 each.
 inline constexpr std::int64_t kBytesPerMaskPixel = 16;
 
+/// Bytes kept of a target's mask: `kBytesPerMaskPixel`, and the outline where it is soft.
+[[nodiscard]] std::int64_t bytesKept(const InputMask& mask);
+
 /// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
-/// frame at work and the packed masks of the target. `kBytesPerMaskPixel` come on top for the
-/// target's mask pixels, whose number shows only when the masks are read.
+/// frame at work and the packed masks of the target. `bytesKept` comes on top for the target's
+/// mask pixels and outlines, whose number shows only when the masks are read.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 
 /// "3.4 GiB", rounded up.

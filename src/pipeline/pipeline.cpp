@@ -54,7 +54,7 @@ float automaticSigma(const InputSequence& masks, MaskChannel channel,
   for (int i = 0; i < looks; ++i) {
     beforeFrame();
     const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
-    areas.push_back(countInside(readMask(masks, channel, frame)));
+    areas.push_back(countInside(readMask(masks, channel, frame).cut()));
   }
   return automaticBlurSigmaPx(areas);
 }

@@ -21,6 +21,16 @@ template <typename Inside>
 /// Pixels nearer to `centre` than `radius`.
 [[nodiscard]] Mask disc(Size size, Vec2 centre, float radius);
 
+/// How much of each pixel lies within a disc, to one part in 1024.
+[[nodiscard]] Image<float> softDisc(Size size, Vec2 centre, float radius);
+
+/// How much of each pixel lies where dot(place - point, normal) > 0, exactly. `normal` has unit
+/// length.
+[[nodiscard]] Image<float> softHalfPlane(Size size, Vec2 point, Vec2 normal);
+
+/// As an 8-bit file holds it.
+[[nodiscard]] Image<float> eightBit(const Image<float>& coverage);
+
 /// Each pixel inside with a chance of `percent` in a hundred.
 [[nodiscard]] Mask randomMask(Size size, std::uint64_t seed, int percent);
 
@@ -48,5 +58,9 @@ template <typename T>
 /// Guides of all frames of a sequence of masks, without spatial smoothing.
 [[nodiscard]] std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames,
                                                MotionModel model = MotionModel::kNormals);
+
+/// The same for a sequence of soft masks.
+[[nodiscard]] std::vector<GuideFrame> softGuidesOf(const std::vector<Image<float>>& coverages,
+                                                   float sigmaFrames, float blurSigmaPx = 0.0F);
 
 }  // namespace fluidymation::test

@@ -9,12 +9,20 @@ namespace fluidymation {
 /// the frame's size; distances and motions in px.
 struct GuideFrame {
   Mask mask;                ///< after smoothing (§4.1)
-  Image<float> distance;    ///< signed, positive inside (§3.4)
+  Image<float> distance;    ///< signed, positive inside, between pixel centres (§3.4)
   Image<Vec2> flow;         ///< from the previous frame to this one, px per frame (§3.8)
   Image<Vec2> direction;    ///< unit direction of the flow, defined on the whole mask
   Image<Vec2> accForward;   ///< motion accumulated since the start; its length is ext+ (§3.5)
   Image<Vec2> accBackward;  ///< motion still to come; its length is ext- (§3.5)
   SolveReport diffusion;    ///< what the solver did, for the flow or its direction: the worse
+  /// How much of each pixel the shape covers, in [0, 1], where the masks are soft. Empty where they
+  /// are hard: then the mask says it all.
+  Image<float> coverage = {};
+
+  [[nodiscard]] float coverageAt(int x, int y) const {
+    if (!coverage.empty()) return coverage(x, y);
+    return mask(x, y) != 0 ? 1.0F : 0.0F;
+  }
 };
 
 }  // namespace fluidymation

@@ -1,24 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "fluidymation/guides/guide_frame.h"
-#include "fluidymation/guides/mask.h"
+#include "fluidymation/guides/packed_shape.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
-
-/// Gives the mask of frame i (0-based), as read from the user: before smoothing. Called once for
-/// every frame, in order.
-using MaskReader = std::function<Mask(int frame)>;
 
 /// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
 ///
 /// Looking ahead is needed twice: the temporal smoothing wants the distance fields of the next
 /// 3 sigma frames, and ext- the flow of all later frames. The constructor therefore reads all
-/// masks once and stores, packed to one bit a pixel, the smoothed masks, and, for mask pixels only,
-/// the flow and the backward accumulator. A full GuideFrame exists only while the caller holds it.
+/// masks once and stores, packed to one bit a pixel, the smoothed masks, of soft ones the outline
+/// too, and, for mask pixels only, the flow and the backward accumulator. A full GuideFrame exists
+/// only while the caller holds it.
 class GuideStream {
  public:
   /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
@@ -35,7 +31,7 @@ class GuideStream {
 
  private:
   struct StoredFrame {
-    PackedMask mask;
+    PackedShape shape;
     std::vector<Vec2> flow;         ///< of mask pixels, in row order
     std::vector<Vec2> accBackward;  ///< likewise
     SolveReport diffusion;

@@ -12,6 +12,9 @@ namespace fluidymation {
 /// bare surface. Thin parts, narrower than about 0.7 sigma, vanish. Sigma 0 copies the mask.
 [[nodiscard]] Mask smoothMask(const Mask& mask, const MaskOptions& options);
 
+/// Gaussian * coverage, where `coverage` is in [0, 1]; sigma 0 copies it.
+[[nodiscard]] Image<float> smoothCoverage(const Image<float>& coverage, float sigmaPx);
+
 /// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
 class PackedMask {
  public:

@@ -20,11 +20,15 @@ Mask growingDisc(int frame) {
   return test::disc(kSize, {19.3F, 16.8F}, 5.0F + static_cast<float>(frame));
 }
 
+Image<float> distanceOf(int frame) {
+  return continuousDistance(signedDistance(growingDisc(frame)));
+}
+
 Image<float> fieldOf(int frame) { return motionDistance(signedDistance(growingDisc(frame))); }
 
 TEST(ShapeChanges, AreTheSmoothedFieldAndTheStepsOfTheTemporalKernel) {
   for (const float sigma : {0.0F, 0.5F, 2.0F}) {
-    ShapeChanges changes(kFrames, sigma, growingDisc);
+    ShapeChanges changes(kFrames, sigma, distanceOf);
     for (int frame = 0; frame < kFrames; ++frame) {
       SCOPED_TRACE(frame);
       const ShapeChange change = changes.at(frame);
@@ -51,19 +55,17 @@ TEST(ShapeChanges, AreTheSmoothedFieldAndTheStepsOfTheTemporalKernel) {
 }
 
 TEST(ShapeChanges, MeasureTheDepthBeforeAnyBlur) {
-  ShapeChanges changes(kFrames, 2.0F, growingDisc);
+  ShapeChanges changes(kFrames, 2.0F, distanceOf);
   for (int frame = 0; frame < kFrames; ++frame) {
-    EXPECT_TRUE(test::nearEverywhere(continuousDistance(signedDistance(growingDisc(frame))),
-                                     changes.at(frame).depth, 0.0F))
-        << frame;
+    EXPECT_TRUE(test::nearEverywhere(distanceOf(frame), changes.at(frame).depth, 0.0F)) << frame;
   }
 }
 
-TEST(ShapeChanges, AskForNoMaskBeforeTheKernelReachesIt) {
+TEST(ShapeChanges, AskForNoDistanceBeforeTheKernelReachesIt) {
   int last = 0;
   ShapeChanges changes(kFrames, 1.0F, [&](int frame) {
     last = std::max(last, frame);
-    return growingDisc(frame);
+    return distanceOf(frame);
   });
   (void)changes.at(0);
   EXPECT_LT(last, kFrames - 1);

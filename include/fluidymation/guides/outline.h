@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "fluidymation/core/image.h"
+#include "fluidymation/options.h"
+
+namespace fluidymation {
+
+/// Smoothing of coverage begins here, px; a narrower Gaussian leaves a pixel's neighbours out.
+inline constexpr float kLeastCoverageSigmaPx = 0.5F;
+
+/// Where an outline crosses the lines between the centres of neighbouring pixels: the share of the
+/// way from a pixel to its right, or lower, neighbour, in (0, 1); 0 where the two are of one side.
+struct Crossings {
+  Image<float> right;
+  Image<float> down;
+};
+
+/// The outline of a shape as the polygon that marching squares draw (Lorensen and Cline 1987): its
+/// corners lie where the isoline of the coverage crosses the lines between pixel centres. Kept
+/// without the mask, which tells where these crossings are: 16 bits for each, in row order.
+class Outline {
+ public:
+  Outline() = default;
+  Outline(const Mask& mask, const Crossings& crossings);
+
+  /// Each within 2^-17 px of what was given.
+  /// @param mask  the one the outline was made with.
+  [[nodiscard]] Crossings crossings(const Mask& mask) const;
+
+  [[nodiscard]] std::size_t crossingCount() const { return shares_.size(); }
+
+ private:
+  std::vector<std::uint16_t> shares_;
+};
+
+/// Pairs of neighbouring pixels on two sides.
+[[nodiscard]] std::size_t countCrossings(const Mask& mask);
+
+/// Bytes kept of each crossing.
+inline constexpr std::int64_t kBytesPerCrossing = sizeof(std::uint16_t);
+
+/// A mask and the sub-pixel outline between its two sides.
+struct OutlinedMask {
+  Mask mask;
+  Outline outline;
+};
+
+/// What `smoothMask` does for anti-aliased masks (thesis §4.1): (Gaussian * coverage) >= threshold,
+/// and the isoline at the threshold as outline. Narrower than `kLeastCoverageSigmaPx` there is no
+/// smoothing, and the threshold is one half. On straight edges at any angle, within a frame, the
+/// outline is exact to about 0.01 px:
+/// - Smoothed, a step has the profile of a Gaussian's integral, whose inverse is linear across the
+///   edge.
+/// - Unsmoothed, it is a box-filtered step. The sum of the coverage across the edge is its place,
+///   however the single pixels are cut (the height functions of volume-of-fluid methods).
+[[nodiscard]] OutlinedMask outlinedMask(const Image<float>& coverage, const MaskOptions& options);
+
+}  // namespace fluidymation

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/outline.h"
+
+namespace fluidymation {
+
+/// Signed distance field of a sub-pixel outline (thesis §3.4): 0 on it, positive inside, px. It is
+/// what `continuousDistance` approximates for masks that are cut at one half.
+///
+/// The nearest corner of the outline is found exactly and in linear time, by two separable passes
+/// (Felzenszwalb and Huttenlocher 2012), one for the corners on vertical lines between pixel
+/// centres and one for those on horizontal lines; the distance is that to the pieces of the outline
+/// that meet there. Exact on straight outlines near and far.
+/// @param mask  with both sides (asserted). Past the image's edge there is no outline.
+[[nodiscard]] Image<float> outlineDistance(const Mask& mask, const Outline& outline);
+
+/// From the convention of `outlineDistance` to that of `signedDistance`, between pixel centres: a
+/// pixel inside whose outer neighbour is just outside has 1. The inverse of `continuousDistance`.
+[[nodiscard]] Image<float> pixelCentreDistance(const Mask& mask, const Image<float>& distance);
+
+/// How much of a pixel an edge covers that is straight there: the inverse of a box-filtered step
+/// (Gustavson and Strand 2011).
+/// @param distance  of the pixel's centre to the edge, px, positive inside.
+/// @param normal    across the edge; any length. (0, 0) is taken for a horizontal edge.
+/// @return  in [0, 1]; 1 from 0.71 px inside on at the latest, 0 likewise outside.
+[[nodiscard]] float edgeCoverage(float distance, Vec2 normal);
+
+/// `edgeCoverage` of every pixel. @param distance  `outlineDistance`.
+[[nodiscard]] Image<float> coverageOf(const Image<float>& distance);
+
+}  // namespace fluidymation

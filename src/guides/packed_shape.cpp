@@ -1,0 +1,85 @@
+#include "fluidymation/guides/packed_shape.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <utility>
+
+#include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/motion.h"
+#include "fluidymation/guides/outline_distance.h"
+
+namespace fluidymation {
+namespace {
+
+bool hasPartlyCoveredPixels(const Image<float>& coverage) {
+  return std::any_of(coverage.begin(), coverage.end(),
+                     [](float c) { return c != 0.0F && c != 1.0F; });
+}
+
+}  // namespace
+
+InputMask::InputMask(const Mask& mask) : coverage(mask.size()) {
+  std::transform(mask.begin(), mask.end(), coverage.begin(),
+                 [](std::uint8_t m) { return m != 0 ? 1.0F : 0.0F; });
+}
+
+Mask InputMask::cut() const {
+  constexpr float kInsideCoverage = 0.5F;
+  Mask mask(coverage.size());
+  std::transform(coverage.begin(), coverage.end(), mask.begin(),
+                 [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
+  return mask;
+}
+
+Image<float> PackedShape::edgeDistance() const {
+  const Mask here = mask();
+  return soft_ ? outlineDistance(here, outline_) : continuousDistance(signedDistance(here));
+}
+
+void PackedShape::addTo(GuideFrame& guides) const {
+  guides.mask = mask();
+  if (!soft_) {
+    guides.distance = signedDistance(guides.mask);
+  } else if (hasEdge(guides.mask)) {
+    const Image<float> distance = outlineDistance(guides.mask, outline_);
+    guides.distance = pixelCentreDistance(guides.mask, distance);
+    guides.coverage = coverageOf(distance);
+  } else {
+    guides.distance = signedDistance(guides.mask);
+    guides.coverage = InputMask(guides.mask).coverage;
+  }
+}
+
+std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
+                                    const MaskOptions& options) {
+  // Whether the sequence is soft shows at its first soft mask. Until then both ways are gone.
+  std::vector<PackedShape> hard;
+  std::vector<PackedShape> soft;
+  bool isSoft = false;
+  for (int i = 0; i < frameCount; ++i) {
+    const InputMask input = readMask(i);
+    OutlinedMask shape = outlinedMask(input.coverage, options);
+    assert(soft.empty() || shape.mask.size() == soft.front().size());
+    isSoft = isSoft || input.soft;
+    if (isSoft) {
+      hard.clear();
+    } else {
+      // The same mask, unless it was scaled or is smoothed by next to nothing
+      const bool smoothsAlike =
+          options.blurSigmaPx == 0.0F || options.blurSigmaPx >= kLeastCoverageSigmaPx;
+      const bool same = smoothsAlike && !hasPartlyCoveredPixels(input.coverage);
+      hard.push_back(same ? PackedShape(shape.mask)
+                          : PackedShape(smoothMask(input.cut(), options)));
+    }
+    soft.emplace_back(std::move(shape));
+  }
+  return isSoft ? std::move(soft) : std::move(hard);
+}
+
+bool hasEdge(const Mask& mask) {
+  const std::size_t inside = countInside(mask);
+  return inside != 0 && inside != mask.pixelCount();
+}
+
+}  // namespace fluidymation
