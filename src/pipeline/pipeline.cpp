@@ -123,14 +123,16 @@ void addGuides(const Options& options, const Inputs& inputs, GuideStream& guides
   exemplar.finish(options.synthesis.extentUnit);
 }
 
-/// Straight alpha: painted and opaque inside the mask, fully transparent elsewhere.
-Image<Rgba8> toOutput(const Image<Lab>& picture, const Mask& mask) {
+/// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
+/// does not.
+Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& frame) {
   Image<Rgba8> output(picture.size());
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
-      if (mask(x, y) == 0) continue;
+      const std::uint8_t alpha = toByte(frame.coverageAt(x, y));
+      if (alpha == 0) continue;
       const Rgb color = toRgb(picture(x, y));
-      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), 255};
+      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), alpha};
     }
   });
   return output;
@@ -189,7 +191,7 @@ void stylize(const Options& given, const Observer& observer) {
     const int number = inputs.target.files.numbers[i];
     tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);
-    writePng(outPaths[i], toOutput(picture, frame.mask));
+    writePng(outPaths[i], toOutput(picture, frame));
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "target"), number, frame);
       dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),

@@ -35,6 +35,17 @@ bool hasAnyMatch(const NearestNeighborField& nnf) {
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
 }
 
+/// The mask, and what else the outline of a soft shape cuts.
+Mask paintedPixels(const GuideFrame& frame) {
+  Mask painted(frame.mask.size());
+  forEachRow(painted.height(), [&](int y) {
+    for (int x = 0; x < painted.width(); ++x) {
+      painted(x, y) = frame.mask(x, y) != 0 || frame.coverageAt(x, y) > 0.0F ? 1 : 0;
+    }
+  });
+  return painted;
+}
+
 }  // namespace
 
 Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options)
@@ -67,7 +78,8 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
       nnf = l < finestSearched() ? upscale(nnf, target.segment)
                                  : optimizedField(l, nnf, shifted, fresh, target);
       if (l == 0) {
-        picture = paintedVote(exemplar_.level(l), target.segment, nnf, options_.paintedVote).color;
+        picture =
+            paintedVote(exemplar_.level(l), paintedPixels(frame), nnf, options_.paintedVote).color;
       }
     }
   }

@@ -11,29 +11,56 @@
 namespace fluidymation {
 namespace {
 
-/// Averages over the windows that cover a pixel. `read(frame, x, y)` reads the exemplar,
-/// `weightOf(dx, dy)` is the weight of a window whose centre lies that far away.
-template <typename Reader, typename WeightOf>
-VotedPicture average(const Image<Segment>& segment, const NearestNeighborField& nnf,
-                     const Reader& read, const WeightOf& weightOf) {
+/// `visit(nx, ny)` for the centres of the windows that cover (x, y) and have a match.
+template <typename Visit>
+void forEachWindow(const NearestNeighborField& nnf, int x, int y, const Visit& visit) {
+  for (int ny = std::max(y - kPatchRadius, 0); ny <= std::min(y + kPatchRadius, nnf.height() - 1);
+       ++ny) {
+    for (int nx = std::max(x - kPatchRadius, 0); nx <= std::min(x + kPatchRadius, nnf.width() - 1);
+         ++nx) {
+      if (nnf(nx, ny).exists()) visit(nx, ny);
+    }
+  }
+}
+
+/// Square of the distance to the nearest centre of a window that covers (x, y); larger than any
+/// where none does.
+int nearestWindow(const NearestNeighborField& nnf, int x, int y) {
+  int nearest = 2 * kPatchRadius * kPatchRadius + 1;
+  forEachWindow(nnf, x, y, [&](int nx, int ny) {
+    nearest = std::min(nearest, (x - nx) * (x - nx) + (y - ny) * (y - ny));
+  });
+  return nearest;
+}
+
+/// Averages over the windows that cover a pixel. `wanted(x, y)` tells whether it has to be known,
+/// `read(frame, x, y)` reads the exemplar, `weightOf(dx, dy)` is the weight of a window whose
+/// centre lies that far away.
+template <typename Wanted, typename Reader, typename WeightOf>
+VotedPicture average(const NearestNeighborField& nnf, const Wanted& wanted, const Reader& read,
+                     const WeightOf& weightOf) {
+  constexpr float kNoWeight = 1e-20F;  // what is left of windows far beyond a narrow Gaussian
   const Size size = nnf.size();
   VotedPicture picture{Image<Lab>(size), Mask(size)};
   forEachRow(size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
-      if (segment(x, y) == Segment::kOutside) continue;
+      if (!wanted(x, y)) continue;
       Float4 sum{};
       float weights = 0.0F;
-      for (int ny = std::max(y - kPatchRadius, 0);
-           ny <= std::min(y + kPatchRadius, size.height - 1); ++ny) {
-        for (int nx = std::max(x - kPatchRadius, 0);
-             nx <= std::min(x + kPatchRadius, size.width - 1); ++nx) {
-          if (!nnf(nx, ny).exists()) continue;
-          const Match here =
-              nnf(nx, ny).moved({static_cast<float>(x - nx), static_cast<float>(y - ny)});
-          const float weight = weightOf(x - nx, y - ny);
-          sum += weight * read(here.frame, here.x, here.y);
-          weights += weight;
-        }
+      const auto add = [&](int nx, int ny, float weight) {
+        const Match here =
+            nnf(nx, ny).moved({static_cast<float>(x - nx), static_cast<float>(y - ny)});
+        sum += weight * read(here.frame, here.x, here.y);
+        weights += weight;
+      };
+      forEachWindow(nnf, x, y, [&](int nx, int ny) { add(nx, ny, weightOf(x - nx, y - ny)); });
+      if (weights < kNoWeight) {
+        sum = Float4{};
+        weights = 0.0F;
+        const int nearest = nearestWindow(nnf, x, y);
+        forEachWindow(nnf, x, y, [&](int nx, int ny) {
+          if ((x - nx) * (x - nx) + (y - ny) * (y - ny) == nearest) add(nx, ny, 1.0F);
+        });
       }
       if (weights == 0.0F) continue;
       const float share = 1.0F / weights;
@@ -81,20 +108,23 @@ std::array<float, kPatchRadius + 1> windowWeights(float sigmaPx) {
 
 VotedPicture vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
                   const NearestNeighborField& nnf) {
-  return average(segment, nnf, BilinearReader(exemplar), [](int, int) { return 1.0F; });
+  return average(
+      nnf, [&segment](int x, int y) { return segment(x, y) != Segment::kOutside; },
+      BilinearReader(exemplar), [](int, int) { return 1.0F; });
 }
 
-VotedPicture paintedVote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
+VotedPicture paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
                          const NearestNeighborField& nnf, const VoteOptions& options) {
+  const auto isWanted = [&wanted](int x, int y) { return wanted(x, y) != 0; };
   const auto weights = windowWeights(options.sigmaPx);
   const auto weightOf = [&weights](int dx, int dy) {
     return weights[static_cast<std::size_t>(std::abs(dx))] *
            weights[static_cast<std::size_t>(std::abs(dy))];
   };
   if (options.interpolation == Interpolation::kCubic) {
-    return average(segment, nnf, CubicReader(exemplar), weightOf);
+    return average(nnf, isWanted, CubicReader(exemplar), weightOf);
   }
-  return average(segment, nnf, BilinearReader(exemplar), weightOf);
+  return average(nnf, isWanted, BilinearReader(exemplar), weightOf);
 }
 
 }  // namespace fluidymation

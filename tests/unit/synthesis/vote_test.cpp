@@ -76,7 +76,8 @@ TEST(PaintedVote, WithTheThesisOptionsIsTheVote) {
   const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
   const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
   const VotedPicture plain = vote(exemplar, segment, nnf);
-  const VotedPicture painted = paintedVote(exemplar, segment, nnf, VoteOptions{0.0F, {}});
+  const VotedPicture painted =
+      paintedVote(exemplar, Mask(nnf.size(), 1), nnf, VoteOptions{0.0F, {}});
   EXPECT_EQ(
       std::memcmp(plain.color.data(), painted.color.data(), plain.color.pixelCount() * sizeof(Lab)),
       0);
@@ -84,10 +85,10 @@ TEST(PaintedVote, WithTheThesisOptionsIsTheVote) {
 
 TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
-  const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
-  const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
+  const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
   for (const Interpolation interpolation : {Interpolation::kBilinear, Interpolation::kCubic}) {
-    const VotedPicture picture = paintedVote(exemplar, segment, nnf, {0.05F, interpolation});
+    const VotedPicture picture =
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {0.05F, interpolation});
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
         const float own = exemplar.pixel(nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0)[kLightness];
@@ -97,13 +98,36 @@ TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
   }
 }
 
+TEST(PaintedVote, PixelsNextToTheMaskAreSeenByTheWindowsOfTheirNeighbours) {
+  // Half of the pixels have a match; the others get a colour as far as windows reach, also where a
+  // narrow Gaussian leaves those no weight
+  const Lab paint{40.0F, 20.0F, -10.0F};
+  const ExemplarLevel exemplar = oneFrame(Image<Lab>({20, 16}, paint));
+  NearestNeighborField nnf(Size{14, 12});
+  const NearestNeighborField all = scattered(nnf.size(), exemplar.size());
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 7; ++x) nnf(x, y) = all(x, y);
+  }
+  for (const float sigmaPx : {0.0F, 0.01F, 0.1F, 0.5F, 2.0F}) {
+    const VotedPicture picture =
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kCubic});
+    for (int y = 0; y < 12; ++y) {
+      for (int x = 0; x < 14; ++x) {
+        const bool reached = x < 7 + kPatchRadius;
+        EXPECT_EQ(picture.exists(x, y) != 0, reached) << x << ", sigma " << sigmaPx;
+        EXPECT_NEAR(picture.color(x, y).l, reached ? paint.l : 0.0F, 1e-2F);
+        EXPECT_NEAR(picture.color(x, y).b, reached ? paint.b : 0.0F, 1e-2F);
+      }
+    }
+  }
+}
+
 TEST(PaintedVote, AWiderWeightLiesBetween) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
-  const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
-  const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
+  const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
   const auto spread = [&](float sigmaPx) {
     const Image<Lab> color =
-        paintedVote(exemplar, segment, nnf, {sigmaPx, Interpolation::kBilinear}).color;
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kBilinear}).color;
     double sum = 0.0;
     double squares = 0.0;
     for (const Lab& c : color) {
