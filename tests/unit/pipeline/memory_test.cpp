@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "fluidymation/core/error.h"
 #include "pipeline/inputs.h"
+#include "support/png_maker.h"
 #include "support/shapes.h"
 #include "support/small_scene.h"
 
@@ -75,13 +77,38 @@ Mask nearlyFull(Size size) {
   });
 }
 
+enum class MaskKind {
+  kHard,  ///< nearly full
+  kSoft,  ///< likewise
+  kDust,  ///< soft, with outlines about as long as they can be
+};
+
 /// What a run with nearly full masks really takes, on the exemplar's side or the target's.
 struct FullMaskRun {
   const char* name;
   Size source;
   Size target;
   int frames;
+  MaskKind kind = MaskKind::kHard;
 };
+
+InputMask maskOf(MaskKind kind, Size size) {
+  if (kind == MaskKind::kHard) return nearlyFull(size);
+  InputMask soft(kind == MaskKind::kSoft ? nearlyFull(size) : test::randomMask(size, 3, 50));
+  for (float& c : soft.coverage) c = c > 0.5F ? 0.8F : 0.2F;
+  soft.soft = true;
+  return soft;
+}
+
+/// A gray 8-bit PNG file.
+test::Bytes pngOf(const InputMask& mask) {
+  test::PngSpec spec;
+  spec.size = mask.coverage.size();
+  for (const float c : mask.coverage) {
+    spec.samples.push_back(static_cast<std::uint16_t>(std::lround(255.0F * c)));
+  }
+  return test::makePng(spec);
+}
 
 class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
 
@@ -94,30 +121,35 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
   for (int number = 1; number <= run.frames; ++number) {
     scene.write(test::SmallScene::frame("src", number),
                 test::colorPng(test::texturedDisc(run.source, 20.0F, 5)));
-    scene.write(test::SmallScene::frame("mask", number), test::maskPng(nearlyFull(run.source)));
-    scene.write(test::SmallScene::frame("target", number), test::maskPng(nearlyFull(run.target)));
+    scene.write(test::SmallScene::frame("mask", number), pngOf(maskOf(run.kind, run.source)));
+    scene.write(test::SmallScene::frame("target", number), pngOf(maskOf(run.kind, run.target)));
   }
   const test::ProcessResult result = scene.paint({{"--blur-sigma", "0"},
                                                   {"--opt-iterations", "0"},
                                                   {"--patchmatch-iterations", "1"},
                                                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  const std::int64_t inside = static_cast<std::int64_t>(countInside(nearlyFull(run.target)));
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
   const std::int64_t estimate =
       bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F, largest}) +
-      kBytesPerMaskPixel * inside * run.frames;
+      bytesKept(maskOf(run.kind, run.target)) * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
+  if (run.kind == MaskKind::kDust) return;  // half of it is outside
   EXPECT_GT(result.peakBytes, estimate / 2) << "an estimate that refuses what would fit";
 }
 
-INSTANTIATE_TEST_SUITE_P(Sides, MemoryOfFullMasks,
-                         ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
-                                           FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
-                                           FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
-                                           FullMaskRun{"target", {40, 40}, {600, 500}, 2}),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sides, MemoryOfFullMasks,
+    ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
+                      FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
+                      FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+                      FullMaskRun{"target", {40, 40}, {600, 500}, 2},
+                      FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
+                      FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
+                      FullMaskRun{"dustExemplar", {200, 150}, {40, 40}, 40, MaskKind::kDust},
+                      FullMaskRun{"dustTarget", {40, 40}, {200, 150}, 30, MaskKind::kDust}),
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");
@@ -141,6 +173,14 @@ TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
   EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
             "--target-path t/%d.png: the first 3 of 3 frames need about 6.1 GiB of memory; wanted "
             "at most 6.0 GiB (--target-frames, --target-scale)");
+}
+
+TEST(Memory, OfSoftMasksTheOutlineCountsToo) {
+  const Mask half = test::maskOf({10, 6}, [](int x, int) { return x < 4; });
+  EXPECT_EQ(bytesKept(half), 24 * kBytesPerMaskPixel);
+  InputMask soft(half);
+  soft.soft = true;
+  EXPECT_EQ(bytesKept(soft), 24 * kBytesPerMaskPixel + 6 * kBytesPerCrossing);
 }
 
 TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
