@@ -97,16 +97,17 @@ class BoxFilteredStep {
 };
 
 template <typename Step>
-Outline traced(const Mask& mask, const Step& step) {
-  Crossings crossings{Image<float>(mask.size()), Image<float>(mask.size())};
+std::vector<std::uint16_t> traced(const Mask& mask, const Step& step) {
+  std::vector<std::uint16_t> shares;
   forEachCrossing(mask, [&](int x, int y, bool isRight) {
     const int dx = isRight ? 1 : 0;
     const int dy = 1 - dx;
     const float share =
         mask(x, y) != 0 ? step(x, y, dx, dy) : 1.0F - step(x + dx, y + dy, -dx, -dy);
-    (isRight ? crossings.right : crossings.down)(x, y) = share;
+    shares.push_back(packed(share));
   });
-  return Outline(mask, crossings);
+  shares.shrink_to_fit();  // it may wait for a long time
+  return shares;
 }
 
 }  // namespace
@@ -143,8 +144,8 @@ OutlinedMask outlinedMask(const Image<float>& coverage, const MaskOptions& optio
   std::transform(smooth.begin(), smooth.end(), result.mask.begin(), [threshold](float c) {
     return static_cast<std::uint8_t>(c >= threshold ? 1 : 0);
   });
-  result.outline = smooths ? traced(result.mask, SmoothedStep(smooth, threshold))
-                           : traced(result.mask, BoxFilteredStep(smooth));
+  result.outline = Outline(smooths ? traced(result.mask, SmoothedStep(smooth, threshold))
+                                   : traced(result.mask, BoxFilteredStep(smooth)));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "fluidymation/core/image.h"
@@ -26,6 +27,8 @@ class Outline {
  public:
   Outline() = default;
   Outline(const Mask& mask, const Crossings& crossings);
+  /// @param shares  of all crossings in row order, in steps of 2^-16.
+  explicit Outline(std::vector<std::uint16_t> shares) : shares_(std::move(shares)) {}
 
   /// Each within 2^-17 px of what was given.
   /// @param mask  the one the outline was made with.
