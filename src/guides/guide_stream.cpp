@@ -8,6 +8,7 @@
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
 #include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/motion.h"
 #include "shape_change.h"
 
@@ -43,7 +44,8 @@ bool hasEdge(const Mask& mask) {
 
 }  // namespace
 
-GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options) {
+GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options)
+    : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
   for (int i = 0; i < frameCount; ++i) {
@@ -93,6 +95,19 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
     frame.flow = gather(mask, motion.flow);
     frame.diffusion = motion.report;
   }
+  if (options.flowBlurSigmaFrames > 0.0F) averageFlow(begin, end, options.flowBlurSigmaFrames);
+}
+
+void GuideStream::averageFlow(int begin, int end, float sigmaFrames) {
+  FlowAverages averages(end - begin, sigmaFrames, [&](int i) {
+    Mask mask = frames_[at(begin + i)].mask.unpack();
+    Image<Vec2> flow = scatter(mask, frames_[at(begin + i)].flow);
+    return FlowAverages::MovingFrame{std::move(mask), std::move(flow)};
+  });
+  for (int i = begin; i < end; ++i) {
+    const Image<Vec2> average = averages.at(i - begin);
+    frames_[at(i)].flow = gather(frames_[at(i)].mask.unpack(), average);
+  }
 }
 
 bool GuideStream::anyInside() const {
@@ -109,6 +124,7 @@ GuideFrame GuideStream::next() {
   guides.distance = signedDistance(guides.mask);
   guides.flow = scatter(guides.mask, stored.flow);
   guides.accBackward = scatter(guides.mask, stored.accBackward);
+  if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
   stored.flow = {};  // given away, and not asked for again
   stored.accBackward = {};
 

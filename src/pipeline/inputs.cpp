@@ -75,10 +75,11 @@ Inputs openInputs(const Options& options, const Observer& observer) {
 }
 
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
-  return {inputs.color.scaled,  inputs.color.files.count(),
-          inputs.target.scaled, inputs.target.files.count(),
-          options.threads,      options.timeBlurSigmaFrames,
-          largestStored(inputs)};
+  return {inputs.color.scaled,    inputs.color.files.count(),
+          inputs.target.scaled,   inputs.target.files.count(),
+          options.threads,        options.timeBlurSigmaFrames,
+          largestStored(inputs),  options.flowBlurSigmaFrames,
+          options.synthesis.shape};
 }
 
 MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fluidymation/core/geometry.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation {
 
@@ -19,6 +20,8 @@ struct RunSize {
   int threads = 1;
   float timeBlurSigmaFrames = 0.0F;
   Size largestStored;  ///< of all frames read, before scaling
+  float flowBlurSigmaFrames = 0.0F;
+  ShapeRules shape{};
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

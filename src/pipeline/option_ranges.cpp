@@ -64,18 +64,21 @@ void check(const std::string& prefix, const SequenceOptions& sequence) {
 
 void check(const ModulationBounds& bounds) {
   const std::string option = "--prev-modulation-bounds";
-  check(option, bounds.upperPx, ranges::kModulationBoundsPx);
-  check(option, bounds.lowerPx, ranges::kModulationBoundsPx);
-  if (bounds.upperPx > bounds.lowerPx) return;
-  throw UsageError(option + " " + numberText(bounds.upperPx) + "," + numberText(bounds.lowerPx) +
+  const bool inPixels = bounds.unit == ModulationUnit::kPixels;
+  const Range& range = inPixels ? ranges::kModulationBoundsPx : ranges::kModulationShares;
+  check(option, bounds.upper, range);
+  check(option, bounds.lower, range);
+  if (bounds.upper > bounds.lower) return;
+  throw UsageError(option + " " + numberText(bounds.upper) + "," + numberText(bounds.lower) +
                    ": wanted m_u greater than m_l");
 }
 
 void check(const SynthesisOptions& synthesis) {
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
+  check("--dir-weight", synthesis.dirWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
-  if (synthesis.prevModulation) check(*synthesis.prevModulation);
+  check(synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);
@@ -129,6 +132,7 @@ void validate(const Options& options) {
   check("--mask-threshold", options.maskThreshold, ranges::kThresholds);
   if (options.borderWidthPx) check("--border-width", *options.borderWidthPx, ranges::kWidthsPx);
   check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
+  check("--flow-blur-sigma", options.flowBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check(options.synthesis);
   check("--threads", options.threads, ranges::kThreads);
 }

@@ -93,12 +93,26 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
               "check the masks or lower --blur-sigma");
 }
 
+/// How the guides of a sequence are made whose masks are smoothed by this sigma and which moves by
+/// this model.
+GuideOptions guideOptions(const Options& options, float blurSigmaPx, MotionModel motionModel) {
+  GuideOptions guides;
+  guides.mask = {blurSigmaPx, options.maskThreshold};
+  guides.timeBlurSigmaFrames = options.timeBlurSigmaFrames;
+  guides.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
+  guides.motionModel = motionModel;
+  if (options.synthesis.shape.guide == ShapeGuide::kBlurredMask) {
+    guides.shapeBlurRadiusPx = *options.borderWidthPx;
+  }
+  return guides;
+}
+
 /// The exemplar with its colours, which are all that is read of it after the masks.
 /// @throws Interrupted, Error.
 Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
-                    *options.borderWidthPx);
+                    *options.borderWidthPx, options.synthesis.shape);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     stopIfCancelled(observer, 0, inputs.target.files.count());
     exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
@@ -161,8 +175,7 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
-      GuideOptions{MaskOptions{*options.blurSigmaPx, options.maskThreshold},
-                   options.timeBlurSigmaFrames});
+      guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals));
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   const MaskReader readTarget =
@@ -173,8 +186,7 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readTarget(frame);
       },
-      GuideOptions{MaskOptions{*options.targetBlurSigmaPx, options.maskThreshold},
-                   options.timeBlurSigmaFrames, options.motionModel});
+      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel));
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fluidymation/guides/guide_frame.h"
@@ -44,6 +45,11 @@ class GuideStream {
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
   void computeFlow(int begin, int end, const GuideOptions& options);
 
+  /// Replaces the flows of such a run by their means over time (P App. A): at each mask pixel a
+  /// Gaussian over the frames around that have the pixel in their masks.
+  void averageFlow(int begin, int end, float sigmaFrames);
+
+  std::optional<float> shapeBlurRadiusPx_;
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
   Image<Vec2> accForward_;  ///< of the frame given last

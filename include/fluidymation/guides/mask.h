@@ -12,6 +12,10 @@ namespace fluidymation {
 /// bare surface. Thin parts, narrower than about 0.7 sigma, vanish. Sigma 0 copies the mask.
 [[nodiscard]] Mask smoothMask(const Mask& mask, const MaskOptions& options);
 
+/// The paper's shape guide (P§3.1): Gaussian * mask, from 0 far outside to 1 deep inside. The
+/// kernel reaches `radiusPx` = 3 sigma; past the image edge the edge repeats.
+[[nodiscard]] Image<float> blurredMask(const Mask& mask, float radiusPx);
+
 /// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
 class PackedMask {
  public:

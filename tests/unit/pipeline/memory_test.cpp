@@ -35,6 +35,11 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.timeBlurSigmaFrames = 50.0F; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.largestStored = {4000, 4000}; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.flowBlurSigmaFrames = 50.0F; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.guide = ShapeGuide::kBlurredMask; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.hardSegments = false; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.modulation = ModulationDistance::kUnclamped; }),
+            bytes);
 }
 
 TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
