@@ -124,12 +124,24 @@ struct SynthesisOptions {
   std::uint64_t seed = 0;
 };
 
+/// What a flow file of frame n says.
+enum class FlowConvention {
+  kBackward,  ///< the movement from frame n - 1 to n, seen on n
+  kForward,   ///< the movement from frame n to n + 1, seen on n
+};
+
 /// Everything one run depends on. What each option accepts is stated in option_ranges.h.
 struct Options {
   SequenceOptions source;
   std::string sourceMaskPath;  ///< numbered and scaled as `source`
   SequenceOptions target;
   std::string outPath;  ///< printf pattern; numbered as `target`
+
+  /// Flow that replaces the one derived from the masks (P§3); numbered and scaled as `source` or
+  /// `target`, whose speed has to be 1 or -1.
+  std::optional<std::string> sourceFlowPath;
+  std::optional<std::string> targetFlowPath;
+  FlowConvention flowConvention = FlowConvention::kBackward;
 
   /// Smoothing of the exemplar's masks; where not given, it follows from their areas
   /// (`automaticBlurSigmaPx`).

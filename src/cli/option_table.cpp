@@ -76,6 +76,19 @@ class Table {
                       }});
   }
 
+  void optionalPattern(const char* name, const char* what, const char* section,
+                       Field<std::optional<std::string>> field) {
+    const std::string option = name;
+    specs_.push_back({option, kFiles, "PATTERN", what + facts("off", "", "", section), false,
+                      [option, field](CommandLine& line, const std::string& value) {
+                        if (value.empty()) {
+                          throw UsageError(shown(option, value) + ": wanted a path with a number");
+                        }
+                        checkPattern(option, value);
+                        field(line) = value;
+                      }});
+  }
+
   void integer(const char* name, const char* group, const char* what, const char* unit,
                const Range& range, const char* section, Field<int> field, bool zeroAllowed = true) {
     const std::string option = name;
@@ -162,6 +175,18 @@ void addFiles(Table& table) {
   table.pattern(
       "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
       [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
+  table.optionalPattern(
+      "--src-flow-path", "the exemplar's motion, .flo or KITTI PNG, not derived from masks",
+      "paper §3",
+      [](CommandLine& c) -> std::optional<std::string>& { return c.options.sourceFlowPath; });
+  table.optionalPattern(
+      "--target-flow-path", "the same for the animation", "paper §3",
+      [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
+  table.word<FlowConvention>(
+      "--flow-convention", kFiles, "file n: backward from frame n-1 to n, forward from n to n+1",
+      {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
+      "not in the thesis",
+      [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
   table.add({"--dump-guides", kFiles, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",

@@ -44,7 +44,8 @@ bool hasEdge(const Mask& mask) {
 
 }  // namespace
 
-GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options)
+GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
+                         const FlowReader& readFlow)
     : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
@@ -58,14 +59,10 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
     edge.push_back(hasEdge(mask));
   }
 
-  // Flow. Frames without an edge, empty and full ones, have stand-ins for distances: they end the
-  // temporal window on both sides as the ends of the sequence do.
-  for (int begin = 0; begin < frameCount; ++begin) {
-    if (!edge[at(begin)]) continue;
-    int end = begin + 1;
-    while (end < frameCount && edge[at(end)]) ++end;
-    computeFlow(begin, end, options);
-    begin = end;
+  if (readFlow) {
+    takeFlow(readFlow);
+  } else {
+    deriveFlow(edge, options);
   }
 
   // Motion still to come, from the last frame backwards (§3.5)
@@ -81,6 +78,27 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
     frame.accBackward = gather(mask, accumulated);
     nextMask = std::move(mask);
     nextFlow = std::move(flow);
+  }
+}
+
+void GuideStream::deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options) {
+  // Frames without an edge, empty and full ones, have stand-ins for distances: they end the
+  // temporal window on both sides as the ends of the sequence do.
+  for (int begin = 0; begin < frameCount(); ++begin) {
+    if (!hasEdge[at(begin)]) continue;
+    int end = begin + 1;
+    while (end < frameCount() && hasEdge[at(end)]) ++end;
+    computeFlow(begin, end, options);
+    begin = end;
+  }
+}
+
+void GuideStream::takeFlow(const FlowReader& readFlow) {
+  Mask previousMask(frames_.front().mask.size());
+  for (int i = 0; i < frameCount(); ++i) {
+    Mask mask = frames_[at(i)].mask.unpack();
+    frames_[at(i)].flow = gather(mask, readFlow(i, previousMask));
+    previousMask = std::move(mask);
   }
 }
 

@@ -51,11 +51,18 @@ constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
 
+// Per pixel of a given flow as stored: the rows of an interlaced PNG file, its samples, the
+// vectors, and these half scaled.
+constexpr double kFlowReadingBytes = 8.0 + 6.0 + 8.0 + 8.0;
+
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
 
 /// Before anything is painted: the flow of a sequence, with the distances of all frames that the
-/// temporal smoothing sees from one, and then its average, with all flows that it sees from one.
-double flowBytes(Size size, int frames, const RunSize& run) {
+/// temporal smoothing sees from one, and then its average, with all flows that it sees from one; or
+/// the given flow being read.
+/// @param given  size of a given flow as stored, 0x0 where the flow is derived.
+double flowBytes(Size size, int frames, Size given, const RunSize& run) {
+  if (pixels(given) > 0.0) return pixels(size) * kGuideBytes + pixels(given) * kFlowReadingBytes;
   const auto window = [frames](int reach) { return std::min<double>(frames, 2.0 * reach + 1.0); };
   return pixels(size) *
          std::max(kGuideBytes + kSolverBytes +
@@ -94,8 +101,9 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
   const double stream = exemplarVolume * (kPackedMaskBytes + kAccumulatedBytes);
   const double flow =
-      stream + std::max({decodingBytes(run, {}), flowBytes(run.exemplar, run.exemplarFrames, run),
-                         flowBytes(run.target, run.targetFrames, run)});
+      stream + std::max({decodingBytes(run, {}),
+                         flowBytes(run.exemplar, run.exemplarFrames, run.exemplarFlow, run),
+                         flowBytes(run.target, run.targetFrames, run.targetFlow, run)});
 
   const double exemplar =
       exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) + kPackedMaskBytes +

@@ -22,6 +22,8 @@ struct RunSize {
   Size largestStored;  ///< of all frames read, before scaling
   float flowBlurSigmaFrames = 0.0F;
   ShapeRules shape{};
+  Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
+  Size targetFlow{};
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

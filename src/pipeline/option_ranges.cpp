@@ -62,6 +62,15 @@ void check(const std::string& prefix, const SequenceOptions& sequence) {
   check(prefix + "-scale", sequence.scale, ranges::kScales);
 }
 
+void checkFlow(const std::string& prefix, const std::optional<std::string>& path,
+               const SequenceOptions& sequence) {
+  if (!path) return;
+  checkPattern(prefix + "-flow-path", *path);
+  if (sequence.speed == 1 || sequence.speed == -1) return;
+  throw UsageError(prefix + "-speed " + std::to_string(sequence.speed) + ": wanted 1 or -1 with " +
+                   prefix + "-flow-path, whose files lead from one frame to the next");
+}
+
 void check(const ModulationBounds& bounds) {
   const std::string option = "--prev-modulation-bounds";
   const bool inPixels = bounds.unit == ModulationUnit::kPixels;
@@ -122,6 +131,17 @@ void validate(const Options& options) {
   checkPattern("--src-mask-path", options.sourceMaskPath);
   check("--target", options.target);
   checkOutputPattern("--out-path", options.outPath);
+  checkFlow("--src", options.sourceFlowPath, options.source);
+  checkFlow("--target", options.targetFlowPath, options.target);
+  if (options.flowConvention != FlowConvention::kBackward && !options.sourceFlowPath &&
+      !options.targetFlowPath) {
+    throw UsageError(
+        "--flow-convention forward: wanted with --src-flow-path or --target-flow-path only");
+  }
+  if (options.motionModel != MotionModel::kNormals && options.targetFlowPath) {
+    throw UsageError(
+        "--motion-model rigid: not wanted with --target-flow-path, which tells how things move");
+  }
   if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
     throw UsageError("--dump-guides with an empty value: wanted a folder's name");
   }

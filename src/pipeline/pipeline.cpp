@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/flow_note.h"
+#include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
@@ -107,7 +109,19 @@ GuideOptions guideOptions(const Options& options, float blurSigmaPx, MotionModel
   return guides;
 }
 
-/// The exemplar with its colours, which are all that is read of it after the masks.
+/// Reads the given flow; empty where there is none.
+/// @param flow        must outlive the reader.
+/// @param beforeEach  called before each frame.
+FlowReader flowReader(const std::optional<FlowSequence>& flow,
+                      const std::function<void()>& beforeEach) {
+  if (!flow) return {};
+  return [beforeEach, given = std::make_shared<GivenFlow>(*flow)](int frame, const Mask& previous) {
+    beforeEach();
+    return given->flow(frame, previous);
+  };
+}
+
+/// The exemplar with its colours, which are all that is read of it after masks and flow.
 /// @throws Interrupted, Error.
 Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
   const Size size = inputs.color.scaled;
@@ -163,8 +177,8 @@ void stylize(const Options& given, const Observer& observer) {
   const int frameCount = inputs.target.files.count();
   const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
 
-  // All files are read before anything is written, and only masks and colours are kept: a damaged
-  // one must leave neither half a dump nor an empty folder.
+  // All files are read before anything is written, and only masks, flows and colours are kept: a
+  // damaged one must leave neither half a dump nor an empty folder.
   const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
   const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
@@ -175,7 +189,8 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
-      guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals));
+      guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
+      flowReader(inputs.sourceFlow, stopBeforeTheFirst));
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   const MaskReader readTarget =
@@ -186,7 +201,8 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readTarget(frame);
       },
-      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel));
+      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
+      flowReader(inputs.targetFlow, stopBeforeTheFirst));
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

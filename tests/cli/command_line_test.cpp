@@ -127,6 +127,11 @@ const std::vector<Reaching>& reachingOptions() {
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
+      {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},
+      {"--target-flow-path", "g/%d.png",
+       [](C c) { return c.options.targetFlowPath == "g/%d.png"; }},
+      {"--flow-convention", "forward",
+       [](C c) { return c.options.flowConvention == FlowConvention::kForward; }},
       {"--dump-guides", "d", [](C c) { return c.options.dumpGuidesDirectory == "d"; }},
   };
   return options;
@@ -281,6 +286,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--preset", "Paper", ": wanted standard, thesis or paper"},
       {"--shape-guide", "edge", ": wanted distance or blurred"},
       {"--segments", "1", ": wanted hard or none"},
+      {"--flow-convention", "both", ": wanted backward or forward"},
       {"--dir-weight", "-1", wantedWeight},
       {"--flow-blur-sigma", "51", wantedTimeSigma},
       {"--mask-threshold", "0.7", ": wanted a number in (0, 0.5]"},
@@ -433,7 +439,8 @@ TEST(CommandLine, RequiredOptionsAreAllNamed) {
 }
 
 TEST(CommandLine, PatternsAreCheckedAndNamed) {
-  for (const char* option : {"--src-path", "--src-mask-path", "--target-path", "--out-path"}) {
+  for (const char* option : {"--src-path", "--src-mask-path", "--target-path", "--out-path",
+                             "--src-flow-path", "--target-flow-path"}) {
     for (const char* pattern : {"a.png", "%s.png", "%n", "%99999999d", "%", "%d%d", "%d/a.png"}) {
       const std::string message = complaint({option, pattern});
       EXPECT_EQ(message.find(std::string(option) + ": " + pattern + ": "), 0U) << message;

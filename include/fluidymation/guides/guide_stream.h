@@ -14,6 +14,12 @@ namespace fluidymation {
 /// every frame, in order.
 using MaskReader = std::function<Mask(int frame)>;
 
+/// Gives the flow of frame i where the user has one: the movement from frame i - 1 to i, px per
+/// frame, of the frame's size; only what lies inside the mask counts. Called once for every frame,
+/// in order, after all masks.
+/// @param previousMask  of frame i - 1, after smoothing; empty of material for i = 0.
+using FlowReader = std::function<Image<Vec2>(int frame, const Mask& previousMask)>;
+
 /// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
 ///
 /// Looking ahead is needed twice: the temporal smoothing wants the distance fields of the next
@@ -24,7 +30,10 @@ class GuideStream {
  public:
   /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
   /// masks may be empty or full. `frameCount` >= 1.
-  GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options);
+  /// @param readFlow  replaces the flow derived from the masks, and its smoothing, where it is
+  /// given.
+  GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
+              const FlowReader& readFlow = {});
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
 
@@ -41,6 +50,10 @@ class GuideStream {
     std::vector<Vec2> accBackward;  ///< likewise
     SolveReport diffusion;
   };
+
+  /// Fills in all flows, derived from the masks or as given.
+  void deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options);
+  void takeFlow(const FlowReader& readFlow);
 
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
   void computeFlow(int begin, int end, const GuideOptions& options);

@@ -289,6 +289,32 @@ TEST(GuideStream, FlowIsAveragedOverTheFramesThatHoldThePixel) {
   EXPECT_EQ(largestLength(averaged[8].flow), 0.0F);  // alone: the empty frame is no neighbour
 }
 
+TEST(GuideStream, AGivenFlowIsTakenAsItIsInsideTheMasks) {
+  const std::vector<Mask> masks = growingDisc(5, 15.0F, 1.0F);
+  GuideOptions options;
+  options.mask.blurSigmaPx = 0.0F;
+  options.flowBlurSigmaFrames = 1.5F;
+  std::vector<int> asked;
+  GuideStream stream(
+      5, [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options,
+      [&](int i, const Mask& previousMask) {
+        asked.push_back(i);
+        EXPECT_TRUE(test::equalEverywhere(
+            i == 0 ? Mask(kSize) : masks[static_cast<std::size_t>(i - 1)].clone(), previousMask));
+        return Image<Vec2>(kSize, Vec2{static_cast<float>(i), -2.0F});
+      });
+  EXPECT_EQ(asked, (std::vector<int>{0, 1, 2, 3, 4}));
+  for (int i = 0; i < 5; ++i) {
+    const GuideFrame frame = stream.next();
+    expectSound(frame, masks[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(frame.flow(44, 40).x, static_cast<float>(i));
+    EXPECT_EQ(frame.flow(44, 40).y, -2.0F);
+    // 1 + 2 + ... so far, and what is still to come
+    EXPECT_FLOAT_EQ(frame.accForward(44, 40).x, static_cast<float>(i * (i + 1)) / 2.0F);
+    EXPECT_FLOAT_EQ(frame.accBackward(44, 40).x, 10.0F - static_cast<float>(i * (i + 1)) / 2.0F);
+  }
+}
+
 TEST(GuideStream, TheBlurredMaskComesWhereItIsAskedFor) {
   const std::vector<Mask> masks = growingDisc(2, 15.0F, 1.0F);
   GuideOptions options;

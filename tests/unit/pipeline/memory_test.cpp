@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "fluidymation/core/error.h"
 #include "pipeline/inputs.h"
@@ -123,6 +124,15 @@ INSTANTIATE_TEST_SUITE_P(Sides, MemoryOfFullMasks,
                                            FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
                                            FullMaskRun{"target", {40, 40}, {600, 500}, 2}),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Memory, CountsTheReadingOfAGivenFlow) {
+  RunSize run{{40, 30}, 2, {50, 40}, 30, 2, 2.0F, {50, 40}};
+  run.targetFlow = {5000, 4000};  // scaled to 1 %
+  EXPECT_GT(bytesOfRun(run), 5000 * 4000 * 16);
+  EXPECT_LT(bytesOfRun(run), 5000 * 4000 * 40);
+  std::swap(run.exemplarFlow, run.targetFlow);
+  EXPECT_GT(bytesOfRun(run), 5000 * 4000 * 16);
+}
 
 TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");

@@ -57,6 +57,26 @@ const std::vector<Fault>& faults() {
        [](Options& o) { o.maskThreshold = 0.6F; }},
       {"--time-blur-sigma 51: wanted a number in [0, 50]",
        [](Options& o) { o.timeBlurSigmaFrames = 51.0F; }},
+      {"--src-flow-path: f.flo: ", [](Options& o) { o.sourceFlowPath = "f.flo"; }},
+      {"--target-flow-path: the path is empty", [](Options& o) { o.targetFlowPath = ""; }},
+      {"--target-speed -2: wanted 1 or -1 with --target-flow-path, whose files lead from one frame "
+       "to the next",
+       [](Options& o) {
+         o.targetFlowPath = "f/%d.flo";
+         o.target.speed = -2;
+       }},
+      {"--src-speed 3: wanted 1 or -1 with --src-flow-path, ",
+       [](Options& o) {
+         o.sourceFlowPath = "f/%d.flo";
+         o.source.speed = 3;
+       }},
+      {"--flow-convention forward: wanted with --src-flow-path or --target-flow-path only",
+       [](Options& o) { o.flowConvention = FlowConvention::kForward; }},
+      {"--motion-model rigid: not wanted with --target-flow-path, which tells how things move",
+       [](Options& o) {
+         o.targetFlowPath = "f/%d.flo";
+         o.motionModel = MotionModel::kRigidParts;
+       }},
       {"--flow-blur-sigma nan: ", [](Options& o) { o.flowBlurSigmaFrames = kNan; }},
       {"--dir-weight inf: ", [](Options& o) { o.synthesis.dirWeight = kInfinity; }},
       {"--prev-modulation-bounds 0.1,0.2: wanted m_u greater than m_l",
