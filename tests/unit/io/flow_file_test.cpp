@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/random.h"
 #include "fluidymation/io/png.h"
 #include "support/comparison.h"
 #include "support/png_maker.h"
@@ -181,6 +182,25 @@ TEST_F(FlowFileTest, PngFilesOfOtherKindsAndDamagedOnesAreRefused) {
   Bytes cut = test::makePng(kitti(flow));
   cut.resize(cut.size() - 20);
   EXPECT_EQ(complaint(cut).find(path_ + ": damaged PNG file ("), 0U);
+}
+
+TEST_F(FlowFileTest, AnyDamageGivesAFlowOrOneLineThatNamesTheFile) {
+  writeFlow(path_, Image<Vec2>(Size{5, 4}, Vec2{1.0F, -2.0F}));
+  const Bytes flo = test::readBytes(path_);
+  const Bytes png = test::makePng(kitti(Image<Vec2>(Size{5, 4}, Vec2{1.0F, -2.0F})));
+  Random random({5, 0, 0, 0, 0, 0});
+  for (int i = 0; i < 2000; ++i) {
+    Bytes damaged = i % 2 == 0 ? flo : png;
+    for (int change = random.uniform(1, 3); change > 0; --change) {
+      const auto at =
+          static_cast<std::size_t>(random.uniform(0, static_cast<int>(damaged.size()) - 1));
+      damaged[at] = static_cast<std::uint8_t>(random.uniform(0, 255));
+    }
+    const std::string message = complaint(damaged);
+    if (message.empty()) continue;
+    EXPECT_EQ(message.find(path_ + ": "), 0U) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
 }
 
 TEST_F(FlowFileTest, AFileThatChangesMeanwhileIsNotRead) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/presets.h"
 #include "pipeline/inputs.h"
 #include "support/shapes.h"
 #include "support/small_scene.h"
@@ -87,6 +88,7 @@ struct FullMaskRun {
   Size source;
   Size target;
   int frames;
+  bool byThePaper = false;
 };
 
 class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
@@ -103,16 +105,23 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     scene.write(test::SmallScene::frame("mask", number), test::maskPng(nearlyFull(run.source)));
     scene.write(test::SmallScene::frame("target", number), test::maskPng(nearlyFull(run.target)));
   }
-  const test::ProcessResult result = scene.paint({{"--blur-sigma", "0"},
-                                                  {"--opt-iterations", "0"},
-                                                  {"--patchmatch-iterations", "1"},
-                                                  {"--quiet", ""}});
+  const test::ProcessResult result =
+      scene.paint({{"--preset", run.byThePaper ? "paper" : "standard"},
+                   {"--blur-sigma", "0"},
+                   {"--opt-iterations", "0"},
+                   {"--patchmatch-iterations", "1"},
+                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const std::int64_t inside = static_cast<std::int64_t>(countInside(nearlyFull(run.target)));
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
-  const std::int64_t estimate =
-      bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F, largest}) +
-      kBytesPerMaskPixel * inside * run.frames;
+  RunSize size{run.source, run.frames, run.target, run.frames, 1, 1.0F, largest};
+  if (run.byThePaper) {
+    Options paper;
+    applyPaperPreset(paper);
+    size.flowBlurSigmaFrames = paper.flowBlurSigmaFrames;
+    size.shape = paper.synthesis.shape;
+  }
+  const std::int64_t estimate = bytesOfRun(size) + kBytesPerMaskPixel * inside * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
   EXPECT_GT(result.peakBytes, estimate / 2) << "an estimate that refuses what would fit";
@@ -122,6 +131,8 @@ INSTANTIATE_TEST_SUITE_P(Sides, MemoryOfFullMasks,
                          ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
                                            FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
                                            FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+                                           FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, true},
+                                           FullMaskRun{"paper", {40, 40}, {600, 500}, 2, true},
                                            FullMaskRun{"target", {40, 40}, {600, 500}, 2}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
