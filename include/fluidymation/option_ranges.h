@@ -42,6 +42,7 @@ inline constexpr Range kOccurrenceRadii{0, 1e4};
 inline constexpr Range kAlphas{0, 0.99, true};
 inline constexpr Range kWidthsPx{0.1, 1e4};  ///< squares of the edge guide stay finite
 inline constexpr Range kModulationBoundsPx{0, 1e5};
+inline constexpr Range kModulationShares{0, 10};  ///< of border width or target side
 inline constexpr Range kPatchmatchIterations{1, 1000};
 inline constexpr Range kOptIterations{0, 1000};
 inline constexpr Range kThreads{1, 1024};

@@ -30,23 +30,47 @@ enum class MotionModel {
 struct GuideOptions {
   MaskOptions mask;
   float timeBlurSigmaFrames = 2.0F;  ///< temporal smoothing of the distance field, 0 to 50; §4.1
+  /// Temporal smoothing of the flow, 0 to 50; the paper's way instead of the above, with 1.5; P
+  /// App. A. See `FlowAverages`.
+  float flowBlurSigmaFrames = 0.0F;
   MotionModel motionModel = MotionModel::kNormals;
+  std::optional<float> shapeBlurRadiusPx;  ///< of the guide of ShapeGuide::kBlurredMask, if wanted
 };
 
-/// Distance bounds of the temporal modulation, px; §3.7.
+/// What the bounds of the temporal modulation are multiples of.
+enum class ModulationUnit {
+  kPixels,
+  kBorderWidths,
+  kTargetSides,  ///< the larger side of the target's frames, the paper's d
+};
+
+/// Distance bounds of the temporal modulation; §3.7, P§3.4. As multiples of the border width those
+/// of the thesis are 1 and 0.2. They let a rim keep colours of a depth that it has left: the edge
+/// colour profile is half a dE worse than with these (docs/quality.md).
 struct ModulationBounds {
-  float upperPx = 10.0F;  ///< m_u: from here on the previous frame does not count
-  float lowerPx = 2.0F;   ///< m_l: up to here it counts in full
+  float upper = 0.7F;   ///< m_u: from here on the previous frame does not count
+  float lower = 0.15F;  ///< m_l: up to here it counts in full
+  ModulationUnit unit = ModulationUnit::kBorderWidths;
 };
 
-/// The bounds of the temporal modulation that suit most, as shares of the border width. The thesis'
-/// (1 and 0.2) let a rim keep colours of a depth that it has left: the edge colour profile is half
-/// a dE worse (docs/quality.md).
-struct ModulationShares {
-  float upper = 0.7F;
-  float lower = 0.15F;
+/// What tells a shape's edge from its inside.
+enum class ShapeGuide {
+  kEdgeDistance,  ///< the thesis': distance to the edge, up to the border width; §3.4
+  kBlurredMask,   ///< the paper's: Gaussian of the mask with the border width as radius; P§3.1
 };
-inline constexpr ModulationShares kModulationShares;
+
+/// Which distances to the edge the temporal modulation compares.
+enum class ModulationDistance {
+  kClamped,    ///< up to the border width: deep inside all is alike
+  kUnclamped,  ///< as the documents print it; §3.7, P§3.4
+};
+
+/// What shapes decide about a match besides colours. Defaults: the thesis.
+struct ShapeRules {
+  ShapeGuide guide = ShapeGuide::kEdgeDistance;
+  bool hardSegments = true;  ///< whether a match stays in its segment, border or interior; §3.4
+  ModulationDistance modulation = ModulationDistance::kClamped;
+};
 
 /// How a picture is read from the exemplar between its pixels.
 enum class Interpolation {
@@ -75,8 +99,9 @@ enum class ThinParts {
 };
 
 struct SynthesisOptions {
-  float distWeight = 5.0F;        ///< edge guide; §3.4
+  float distWeight = 5.0F;        ///< edge or shape guide; §3.4, P§3.1
   float flowWeight = 0.1F;        ///< motion extent guides; §3.5
+  float dirWeight = 0.0F;         ///< directions of movement within a window; §3.6, P§3.2
   float prevWeight = 1.0F;        ///< temporal coherence; §3.7
   float lambda = 2.0F;            ///< spatial uniformity; §2.5, §3.3
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
@@ -84,8 +109,8 @@ struct SynthesisOptions {
   /// What `distWeight` is multiplied by, a channel scale. Twice the thesis preset's brings the edge
   /// colour profile from 4.7 to 4.1 dE (docs/quality.md).
   float edgeGain = 2.0F;
-  /// Where not given, kModulationShares of the border width.
-  std::optional<ModulationBounds> prevModulation;
+  ShapeRules shape;
+  ModulationBounds prevModulation;
   ThinParts thinParts = ThinParts::kBody;
   /// Whether movement that is too small for a step to another frame of the exemplar is kept for
   /// later; in the thesis it is lost, and targets slower than half the exemplar's speed freeze.
@@ -99,12 +124,24 @@ struct SynthesisOptions {
   std::uint64_t seed = 0;
 };
 
+/// What a flow file of frame n says.
+enum class FlowConvention {
+  kBackward,  ///< the movement from frame n - 1 to n, seen on n
+  kForward,   ///< the movement from frame n to n + 1, seen on n
+};
+
 /// Everything one run depends on. What each option accepts is stated in option_ranges.h.
 struct Options {
   SequenceOptions source;
   std::string sourceMaskPath;  ///< numbered and scaled as `source`
   SequenceOptions target;
   std::string outPath;  ///< printf pattern; numbered as `target`
+
+  /// Flow that replaces the one derived from the masks (P§3); numbered and scaled as `source` or
+  /// `target`, whose speed has to be 1 or -1.
+  std::optional<std::string> sourceFlowPath;
+  std::optional<std::string> targetFlowPath;
+  FlowConvention flowConvention = FlowConvention::kBackward;
 
   /// Smoothing of the exemplar's masks; where not given, it follows from their areas
   /// (`automaticBlurSigmaPx`).
@@ -116,6 +153,7 @@ struct Options {
   /// exemplar (`automaticBorderWidthPx`).
   std::optional<float> borderWidthPx;
   float timeBlurSigmaFrames = 2.0F;
+  float flowBlurSigmaFrames = 0.0F;
   /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.
   MotionModel motionModel = MotionModel::kNormals;
   SynthesisOptions synthesis;

@@ -28,9 +28,10 @@ struct Observer {
 };
 
 /// Validates the options and checks every input, then paints every target frame and writes it, on
-/// `options.threads` threads. Leaves OpenMP's setting as it was.
+/// `given.threads` threads. Leaves OpenMP's setting as it was. Widths that are not given are chosen
+/// by the sizes of film and animation (automatic.h).
 /// @throws Interrupted when `observer.cancelled` asked for it; Error, UsageError for options that
 /// `validate` refuses; prints nothing.
-void stylize(const Options& options, const Observer& observer);
+void stylize(const Options& given, const Observer& observer);
 
 }  // namespace fluidymation

@@ -76,6 +76,19 @@ class Table {
                       }});
   }
 
+  void optionalPattern(const char* name, const char* what, const char* section,
+                       Field<std::optional<std::string>> field) {
+    const std::string option = name;
+    specs_.push_back({option, kFiles, "PATTERN", what + facts("off", "", "", section), false,
+                      [option, field](CommandLine& line, const std::string& value) {
+                        if (value.empty()) {
+                          throw UsageError(shown(option, value) + ": wanted a path with a number");
+                        }
+                        checkPattern(option, value);
+                        field(line) = value;
+                      }});
+  }
+
   void integer(const char* name, const char* group, const char* what, const char* unit,
                const Range& range, const char* section, Field<int> field, bool zeroAllowed = true) {
     const std::string option = name;
@@ -162,6 +175,18 @@ void addFiles(Table& table) {
   table.pattern(
       "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
       [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
+  table.optionalPattern(
+      "--src-flow-path", "the exemplar's motion, .flo or KITTI PNG, not derived from masks",
+      "paper §3",
+      [](CommandLine& c) -> std::optional<std::string>& { return c.options.sourceFlowPath; });
+  table.optionalPattern(
+      "--target-flow-path", "the same for the animation", "paper §3",
+      [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
+  table.word<FlowConvention>(
+      "--flow-convention", kFiles, "file n: backward from frame n-1 to n, forward from n to n+1",
+      {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
+      "not in the thesis",
+      [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
   table.add({"--dump-guides", kFiles, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",
@@ -176,13 +201,15 @@ void addFiles(Table& table) {
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
   table.add({"--preset", kLook, "NAME",
-             "standard: the best we know; thesis: its numbers and rules,\nwhatever the defaults; "
-             "other options change either\n(default standard; thesis §4.5)",
+             "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
+             "defaults; other options change each\n(default standard; thesis §4.5, paper table 1)",
              false, [](CommandLine& line, const std::string& value) {
                if (value == "thesis") {
                  applyThesisPreset(line.options);
+               } else if (value == "paper") {
+                 applyPaperPreset(line.options);
                } else if (value != "standard") {
-                 throw UsageError(shown("--preset", value) + ": wanted standard or thesis");
+                 throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
                }
              }});
 }
@@ -230,6 +257,9 @@ void addMasksAndMotion(Table& table) {
   table.real("--time-blur-sigma", kMasks, "smoothing of the edges' movement in time", "frames",
              ranges::kTimeSigmasFrames, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.timeBlurSigmaFrames; });
+  table.real("--flow-blur-sigma", kMasks, "smoothing of the movement itself in time", "frames",
+             ranges::kTimeSigmasFrames, "paper App. A: 1.5",
+             [](CommandLine& c) -> float& { return c.options.flowBlurSigmaFrames; });
   table.word<MotionModel>("--motion-model", kMasks,
                           "rigid: the animation's parts travel, turn and grow as wholes;\n"
                           "normals: what their edges do fades inwards",
@@ -239,12 +269,15 @@ void addMasksAndMotion(Table& table) {
 }
 
 void addGuides(Table& table) {
-  table.real("--dist-weight", kGuides, "weight of the edge guide", "", ranges::kWeights,
+  table.real("--dist-weight", kGuides, "weight of the edge or shape guide", "", ranges::kWeights,
              "thesis §3.4",
              [](CommandLine& c) -> float& { return c.options.synthesis.distWeight; });
   table.real("--flow-weight", kGuides, "weight of the motion extent guides", "", ranges::kWeights,
              "thesis §3.5",
              [](CommandLine& c) -> float& { return c.options.synthesis.flowWeight; });
+  table.real("--dir-weight", kGuides, "weight of the directions of motion within a window", "",
+             ranges::kWeights, "thesis §3.6, paper §3.2: 1",
+             [](CommandLine& c) -> float& { return c.options.synthesis.dirWeight; });
   table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
@@ -252,6 +285,15 @@ void addGuides(Table& table) {
                   numberText(kBorderWidthShare) + " sqrt(the film's width x height)",
                   ranges::kWidthsPx, "thesis §3.4: 10",
                   [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
+  table.word<ShapeGuide>(
+      "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",
+      {{"distance", ShapeGuide::kEdgeDistance}, {"blurred", ShapeGuide::kBlurredMask}},
+      "paper §3.1: blurred",
+      [](CommandLine& c) -> ShapeGuide& { return c.options.synthesis.shape.guide; });
+  table.word<bool>("--segments", kGuides,
+                   "hard: border and interior are matched apart; none: freely",
+                   {{"hard", true}, {"none", false}}, "thesis §3.4: hard",
+                   [](CommandLine& c) -> bool& { return c.options.synthesis.shape.hardSegments; });
   table.word<ThinParts>("--thin-parts", kGuides,
                         "of the animation, thinner than the film's rim; body: they\n"
                         "get its inner colour; fringe: its rim only",
@@ -263,16 +305,18 @@ void addGuides(Table& table) {
       "film: motion extents relative to the film's, and bounded;\npx: as they are",
       {{"px", ExtentUnit::kPixels}, {"film", ExtentUnit::kExemplar}}, "thesis §3.5: px",
       [](CommandLine& c) -> ExtentUnit& { return c.options.synthesis.extentUnit; });
-  table.add({"--prev-modulation-bounds", kGuides, "M_U,M_L",
-             "the previous frame counts fully up to m_l, not from m_u on" +
-                 facts(numberText(kModulationShares.upper) + " and " +
-                           numberText(kModulationShares.lower) + " of the border width, px",
-                       "", ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7: 10,2"),
-             false, [](CommandLine& line, const std::string& value) {
-               const FloatPair pair = parseDescendingPair("--prev-modulation-bounds", value,
-                                                          ranges::kModulationBoundsPx);
-               line.options.synthesis.prevModulation = ModulationBounds{pair.first, pair.second};
-             }});
+  const ModulationBounds bounds;
+  table.add(
+      {"--prev-modulation-bounds", kGuides, "M_U,M_L",
+       "the previous frame counts fully up to m_l, not from m_u on" +
+           facts(numberText(bounds.upper) + " and " + numberText(bounds.lower) +
+                     " of the border width, px",
+                 "", ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7: 10,2"),
+       false, [](CommandLine& line, const std::string& value) {
+         const FloatPair pair =
+             parseDescendingPair("--prev-modulation-bounds", value, ranges::kModulationBoundsPx);
+         line.options.synthesis.prevModulation = {pair.first, pair.second, ModulationUnit::kPixels};
+       }});
 }
 
 void addSynthesis(Table& table) {

@@ -56,7 +56,9 @@ float scaled(float value, float weight) { return value * weight; }
 Rgb scaled(Rgb value, float weight) {
   return {value.r * weight, value.g * weight, value.b * weight};
 }
+Vec2 scaled(Vec2 value, float weight) { return weight * value; }
 void add(float& sum, float value) { sum += value; }
+void add(Vec2& sum, Vec2 value) { sum += value; }
 void add(Rgb& sum, Rgb value) {
   sum.r += value.r;
   sum.g += value.g;
@@ -103,5 +105,6 @@ Size scaledSize(Size size, double scale) {
 
 Image<float> resize(const Image<float>& image, Size size) { return resizeImage(image, size); }
 Image<Rgb> resize(const Image<Rgb>& image, Size size) { return resizeImage(image, size); }
+Image<Vec2> resize(const Image<Vec2>& image, Size size) { return resizeImage(image, size); }
 
 }  // namespace fluidymation

@@ -7,6 +7,7 @@
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
+#include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/motion.h"
 #include "shape_change.h"
 
@@ -36,7 +37,9 @@ Image<Vec2> scatter(const Mask& mask, const std::vector<Vec2>& values) {
 
 }  // namespace
 
-GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options) {
+GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
+                         const FlowReader& readFlow)
+    : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
   for (PackedShape& shape : readShapes(frameCount, readMask, options.mask)) {
@@ -47,14 +50,10 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
     edge.push_back(hasEdge(mask));
   }
 
-  // Flow. Frames without an edge, empty and full ones, have stand-ins for distances: they end the
-  // temporal window on both sides as the ends of the sequence do.
-  for (int begin = 0; begin < frameCount; ++begin) {
-    if (!edge[at(begin)]) continue;
-    int end = begin + 1;
-    while (end < frameCount && edge[at(end)]) ++end;
-    computeFlow(begin, end, options);
-    begin = end;
+  if (readFlow) {
+    takeFlow(readFlow);
+  } else {
+    deriveFlow(edge, options);
   }
 
   // Motion still to come, from the last frame backwards (§3.5)
@@ -73,6 +72,27 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   }
 }
 
+void GuideStream::deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options) {
+  // Frames without an edge, empty and full ones, have stand-ins for distances: they end the
+  // temporal window on both sides as the ends of the sequence do.
+  for (int begin = 0; begin < frameCount(); ++begin) {
+    if (!hasEdge[at(begin)]) continue;
+    int end = begin + 1;
+    while (end < frameCount() && hasEdge[at(end)]) ++end;
+    computeFlow(begin, end, options);
+    begin = end;
+  }
+}
+
+void GuideStream::takeFlow(const FlowReader& readFlow) {
+  Mask previousMask(frames_.front().shape.size());
+  for (int i = 0; i < frameCount(); ++i) {
+    Mask mask = frames_[at(i)].shape.mask();
+    frames_[at(i)].flow = gather(mask, readFlow(i, previousMask));
+    previousMask = std::move(mask);
+  }
+}
+
 void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
   if (end - begin < 2) return;  // a single frame does not move
   ShapeChanges changes(end - begin, options.timeBlurSigmaFrames,
@@ -83,6 +103,19 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
     const MotionField motion = motionField(mask, changes.at(i - begin), options.motionModel);
     frame.flow = gather(mask, motion.flow);
     frame.diffusion = motion.report;
+  }
+  if (options.flowBlurSigmaFrames > 0.0F) averageFlow(begin, end, options.flowBlurSigmaFrames);
+}
+
+void GuideStream::averageFlow(int begin, int end, float sigmaFrames) {
+  FlowAverages averages(end - begin, sigmaFrames, [&](int i) {
+    Mask mask = frames_[at(begin + i)].shape.mask();
+    Image<Vec2> flow = scatter(mask, frames_[at(begin + i)].flow);
+    return FlowAverages::MovingFrame{std::move(mask), std::move(flow)};
+  });
+  for (int i = begin; i < end; ++i) {
+    const Image<Vec2> average = averages.at(i - begin);
+    frames_[at(i)].flow = gather(frames_[at(i)].shape.mask(), average);
   }
 }
 
@@ -99,6 +132,7 @@ GuideFrame GuideStream::next() {
   stored.shape.addTo(guides);
   guides.flow = scatter(guides.mask, stored.flow);
   guides.accBackward = scatter(guides.mask, stored.accBackward);
+  if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
   stored.flow = {};  // given away, and not asked for again
   stored.accBackward = {};
 

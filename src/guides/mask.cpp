@@ -78,6 +78,14 @@ Image<float> smoothCoverage(const Image<float>& coverage, float sigmaPx) {
   return smooth;
 }
 
+Image<float> blurredMask(const Mask& mask, float radiusPx) {
+  constexpr float kReachSigmas = 3.0F;
+  Image<float> coverage(mask.size());
+  std::transform(mask.begin(), mask.end(), coverage.begin(),
+                 [](std::uint8_t inside) { return inside != 0 ? 1.0F : 0.0F; });
+  return gaussianBlur(coverage, radiusPx / kReachSigmas);
+}
+
 PackedMask::PackedMask(const Mask& mask)
     : size_(mask.size()), bits_((mask.pixelCount() + 63) / 64) {
   const std::uint8_t* pixels = mask.data();

@@ -175,6 +175,35 @@ FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequen
   return files;
 }
 
+FrameFiles findCompanions(const FramePattern& pattern, const FrameFiles& frames,
+                          const SequenceOptions& sequence, const std::string& optionName,
+                          int dispensable) {
+  const std::vector<int> present = listNumbers(pattern, sequence);
+  FrameFiles files;
+  FrameList missing(sequence);
+  std::int64_t missingSince = -1;
+  for (int i = 0; i < frames.count(); ++i) {
+    const int number = frames.numbers[static_cast<std::size_t>(i)];
+    const bool found = std::binary_search(present.begin(), present.end(), number);
+    const bool missed = !found && i != dispensable;
+    if (missed && missingSince < 0) missingSince = i;
+    if (!missed && missingSince >= 0) {
+      missing.add(missingSince, i);
+      missingSince = -1;
+    }
+    files.numbers.push_back(number);
+    files.paths.push_back(found ? pattern.path(number) : std::string());
+  }
+  if (missingSince >= 0) missing.add(missingSince, frames.count());
+  if (missing.count() == 0) return files;
+  std::string exception;
+  if (dispensable >= 0) exception = dispensable == 0 ? " but the first" : " but the last";
+  throw Error(optionName + " " + pattern.text() + ": " + std::to_string(missing.count()) +
+              (missing.count() == 1 ? " frame is" : " frames are") + " missing: " + missing.text() +
+              "; wanted one file for every frame of " + optionPrefix(optionName) + "-path" +
+              exception);
+}
+
 Size commonSize(const FrameFiles& files) {
   Size first;
   for (std::size_t i = 0; i < files.paths.size(); ++i) {

@@ -21,4 +21,17 @@ inline void appendLittleEndian(std::vector<std::uint8_t>& bytes, float value) {
   appendLittleEndian(bytes, bits);
 }
 
+/// Reads four bytes, lowest first.
+[[nodiscard]] inline std::uint32_t littleEndian(const std::uint8_t* bytes) {
+  return std::uint32_t{bytes[0]} | (std::uint32_t{bytes[1]} << 8U) |
+         (std::uint32_t{bytes[2]} << 16U) | (std::uint32_t{bytes[3]} << 24U);
+}
+
+[[nodiscard]] inline float littleEndianFloat(const std::uint8_t* bytes) {
+  const std::uint32_t bits = littleEndian(bytes);
+  float value = 0.0F;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 }  // namespace fluidymation

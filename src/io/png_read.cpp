@@ -1,9 +1,6 @@
 #include "fluidymation/io/png.h"
 
-#include <fcntl.h>
 #include <png.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +16,7 @@
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/text.h"
+#include "io/input_file.h"
 #include "io/libpng_calls.h"
 
 namespace fluidymation {
@@ -31,37 +29,7 @@ namespace {
 // ---------------------------------------------------------------------------------------------
 // The file and its header
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
-
-struct OpenFile {
-  FileHandle file;
-  std::int64_t byteCount = 0;
-};
-
-[[nodiscard]] OpenFile openPng(const std::string& path) {
-  // Without O_NONBLOCK a named pipe of that name would wait for a writer for ever.
-  const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) {
-    throw Error(path + ": cannot be opened (" + std::generic_category().message(errno) + ")");
-  }
-  OpenFile result;
-  result.file.reset(fdopen(descriptor, "rb"));
-  if (!result.file) {
-    close(descriptor);
-    throw std::bad_alloc();
-  }
-  struct stat status {};
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw Error(path + ": is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file") +
-                "; wanted a PNG file");
-  }
-  if (status.st_size == 0) throw Error(path + ": is empty; wanted a PNG file");
-  result.byteCount = status.st_size;
-  return result;
-}
+[[nodiscard]] InputFile openPng(const std::string& path) { return openInput(path, "a PNG file"); }
 
 /// What the file claims to be: the IHDR chunk, which is the first in every PNG file.
 struct Header {
@@ -276,7 +244,7 @@ void decodeRow(const png_byte* row, bool wide, const float* table, int width, Rg
 
 /// A file opened and read up to its pixels.
 struct OpenPicture {
-  OpenFile input;
+  InputFile input;
   Header header;
   std::unique_ptr<Reader> reader;
   RowLayout layout;
@@ -315,6 +283,40 @@ struct OpenPicture {
   return picture;
 }
 
+/// Reads all rows.
+/// @param decode  called with each row's number and its pixels as laid out, once they are complete.
+template <typename Decode>
+void readRows(const OpenPicture& picture, const Decode& decode) {
+  Reader& reader = *picture.reader;
+  const RowLayout& layout = picture.layout;
+  // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
+  const bool keepRows = layout.passes > 1;
+  const int height = picture.header.size.height;
+  std::vector<png_byte> rows(layout.rowBytes * static_cast<std::size_t>(keepRows ? height : 1));
+  const auto rowAt = [&](int y) {
+    return rows.data() + (keepRows ? layout.rowBytes * static_cast<std::size_t>(y) : 0);
+  };
+  reader.run([&] {
+    for (int pass = 0; pass < layout.passes; ++pass) {
+      for (int y = 0; y < height; ++y) {
+        const bool lastSweep = pass + 1 == layout.passes;
+        reader.readRow(rowAt(y), layout.rowBytes, lastSweep && y + 1 == height);
+        if (lastSweep) decode(y, rowAt(y));
+      }
+    }
+    // The check sum of the last pixels, and that the end is there
+    png_read_end(reader.png(), nullptr);
+  });
+}
+
+/// @throws Error unless the file holds 16-bit RGB.
+void requireRgb16(const Header& header, const std::string& path) {
+  if (header.bitDepth == 16 && header.colorType == PNG_COLOR_TYPE_RGB) return;
+  throw Error(path + ": is a PNG file of " + std::to_string(header.bitDepth) +
+              " bits and colour type " + std::to_string(header.colorType) +
+              "; wanted 16 bits and type 2 (RGB)");
+}
+
 /// Whether any of `width` RGBA pixels is not opaque.
 [[nodiscard]] bool anyTransparent(const png_byte* row, bool wide, int width) {
   const std::size_t sampleBytes = wide ? 2 : 1;
@@ -328,7 +330,7 @@ struct OpenPicture {
 }  // namespace
 
 Size readPngSize(const std::string& path) {
-  const OpenFile input = openPng(path);
+  const InputFile input = openPng(path);
   const Header header = readHeader(input.file.get(), path);
   checkPlausible(header, input.byteCount, path);
   return header.size;
@@ -336,29 +338,36 @@ Size readPngSize(const std::string& path) {
 
 Image<Rgba> readPng(const std::string& path, std::optional<Size> expected) {
   const OpenPicture picture = openPicture(path, expected);
-  Reader& reader = *picture.reader;
-  auto* const png = reader.png();
-  const RowLayout& layout = picture.layout;
-  // An interlaced picture comes in seven sweeps over all rows, so all rows are kept.
-  const bool keepRows = layout.passes > 1;
-  const int width = picture.header.size.width;
-  const int height = picture.header.size.height;
-  std::vector<png_byte> rows(layout.rowBytes * static_cast<std::size_t>(keepRows ? height : 1));
-  const auto rowAt = [&](int y) {
-    return rows.data() + (keepRows ? layout.rowBytes * static_cast<std::size_t>(y) : 0);
-  };
-  const std::vector<float> table = decodingTable(layout);
+  const std::vector<float> table = decodingTable(picture.layout);
   Image<Rgba> image(picture.header.size);
-  reader.run([&] {
-    for (int pass = 0; pass < layout.passes; ++pass) {
-      for (int y = 0; y < height; ++y) {
-        const bool lastSweep = pass + 1 == layout.passes;
-        reader.readRow(rowAt(y), layout.rowBytes, lastSweep && y + 1 == height);
-        if (!lastSweep) continue;
-        decodeRow(rowAt(y), layout.wide, table.data(), width, image.row(y));
-      }
+  readRows(picture, [&](int y, const png_byte* row) {
+    decodeRow(row, picture.layout.wide, table.data(), image.width(), image.row(y));
+  });
+  return image;
+}
+
+Size readRgb16Size(const std::string& path) {
+  const InputFile input = openPng(path);
+  const Header header = readHeader(input.file.get(), path);
+  checkPlausible(header, input.byteCount, path);
+  requireRgb16(header, path);
+  return header.size;
+}
+
+Image<Rgb16> readRgb16(const std::string& path, std::optional<Size> expected) {
+  const OpenPicture picture = openPicture(path, expected);
+  requireRgb16(picture.header, path);
+  if (!picture.layout.wide) throw Error(path + ": changed while being read (no longer of 16 bits)");
+  Image<Rgb16> image(picture.header.size);
+  readRows(picture, [&](int y, const png_byte* row) {
+    const auto sample = [row](std::size_t i) {
+      return static_cast<std::uint16_t>((row[2 * i] << 8) | row[2 * i + 1]);
+    };
+    Rgb16* pixels = image.row(y);
+    for (int x = 0; x < image.width(); ++x) {
+      const std::size_t i = 4 * static_cast<std::size_t>(x);
+      pixels[x] = {sample(i), sample(i + 1), sample(i + 2)};
     }
-    png_read_end(png, nullptr);  // the check sum of the last pixels, and that the end is there
   });
   return image;
 }

@@ -83,6 +83,7 @@ void dumpGuides(const std::string& folder, int frameNumber, const GuideFrame& gu
   const Image<float> extBackward = lengths(guides.accBackward);
   writeGrayPng(path + ".mask.png", maskPicture(guides.mask));
   writePfm(path + ".dist.pfm", guides.distance);
+  if (!guides.shape.empty()) writePfm(path + ".shape.pfm", guides.shape);
   writeFlow(path + ".flow.flo", guides.flow);
   writePfm(path + ".ext_fwd.pfm", extForward);
   writePfm(path + ".ext_bwd.pfm", extBackward);

@@ -8,6 +8,7 @@
 #include "fluidymation/core/text.h"
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/given_flow.h"
 
 namespace fluidymation {
 namespace {
@@ -67,15 +68,32 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                 std::to_string(color.count()) + "; an exemplar and its masks must agree");
   }
   requireMasksOfSameSize(color, mask);
+  if (options.sourceFlowPath) {
+    inputs.sourceFlow = openFlowSequence(*options.sourceFlowPath, "--src-flow-path",
+                                         options.flowConvention, options.source, inputs.sourceMask);
+  }
+  if (options.targetFlowPath) {
+    inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
+                                         options.flowConvention, options.target, inputs.target);
+  }
   requireMemory(options, inputs);
   return inputs;
 }
 
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
-  return {inputs.color.scaled,  inputs.color.files.count(),
-          inputs.target.scaled, inputs.target.files.count(),
-          options.threads,      options.timeBlurSigmaFrames,
-          largestStored(inputs)};
+  RunSize run;
+  run.exemplar = inputs.color.scaled;
+  run.exemplarFrames = inputs.color.files.count();
+  run.target = inputs.target.scaled;
+  run.targetFrames = inputs.target.files.count();
+  run.threads = options.threads;
+  run.timeBlurSigmaFrames = options.timeBlurSigmaFrames;
+  run.largestStored = largestStored(inputs);
+  run.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
+  run.shape = options.synthesis.shape;
+  if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
+  if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;
+  return run;
 }
 
 MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {

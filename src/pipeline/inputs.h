@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "fluidymation/core/color.h"
@@ -23,11 +24,23 @@ struct InputSequence {
   Size scaled;
 };
 
+/// Flow files of a sequence of masks; of the masks' size.
+struct FlowSequence {
+  FrameFiles files;  ///< one a frame; at the end where none is needed the path may be empty
+  Size stored;
+  Size scaled;
+  float factor = 1.0F;  ///< of the vectors: the sequence's scale, negative where it is reversed
+  bool seenOnFrame =
+      true;  ///< a frame's own file says how it came about; else that of the frame before
+};
+
 /// Everything that is read, checked as far as headers and folders tell.
 struct Inputs {
   InputSequence color;
   InputSequence sourceMask;
   InputSequence target;
+  std::optional<FlowSequence> sourceFlow;
+  std::optional<FlowSequence> targetFlow;
 };
 
 /// Finds all files, reads all headers, and checks that they fit together and into memory.

@@ -1,11 +1,14 @@
 #include "pipeline/memory.h"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/synthesis/lanes.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
+#include "fluidymation/synthesis/shape_rules.h"
 
 namespace fluidymation {
 namespace {
@@ -37,17 +40,40 @@ constexpr double kPaintingBytes = 256.0;
 constexpr double kDecodingBytes = 28.0;
 constexpr double kPackedMaskBytes = 1.0 / 8.0;
 
+// What rules that are not the thesis' add per pixel: to a level of the exemplar distances that its
+// edge guide does not tell and one list of all mask pixels; to a frame at work the blurred mask, on
+// all levels; to the flow's average a mask and a flow for every frame of its window.
+constexpr double kDistanceBytes = sizeof(float);
+constexpr double kAllPixelsBytes = sizeof(std::uint32_t);
+constexpr double kShapeBytes = 12.0;
+constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
+
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
+
+// Per pixel of a given flow as stored: the rows of an interlaced PNG file, its samples, the
+// vectors, and these half scaled.
+constexpr double kFlowReadingBytes = 8.0 + 6.0 + 8.0 + 8.0;
 
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
 
 /// Before anything is painted: the flow of a sequence, with the distances of all frames that the
-/// temporal smoothing sees from one.
-double flowBytes(Size size, int frames, float sigmaFrames) {
-  const double window = 2.0 * gaussianReach(sigmaFrames) + 1.0;
+/// temporal smoothing sees from one, and then its average, with all flows that it sees from one; or
+/// the given flow being read.
+/// @param given  size of a given flow as stored, 0x0 where the flow is derived.
+double flowBytes(Size size, int frames, Size given, const RunSize& run) {
+  if (pixels(given) > 0.0) return pixels(size) * kGuideBytes + pixels(given) * kFlowReadingBytes;
+  const auto window = [frames](int reach) { return std::min<double>(frames, 2.0 * reach + 1.0); };
   return pixels(size) *
-         (kGuideBytes + kSolverBytes + sizeof(float) * std::min<double>(frames, window));
+         std::max(kGuideBytes + kSolverBytes +
+                      sizeof(float) * window(gaussianReach(run.timeBlurSigmaFrames)),
+                  kGuideBytes + kAveragedBytes * window(flowAverageReach(run.flowBlurSigmaFrames)));
+}
+
+/// Bytes per pixel of a level of the exemplar that its rules ask for.
+double ruleBytes(const ShapeRules& rules) {
+  return (edgeGuideTellsDistance(rules) ? 0.0 : kDistanceBytes) +
+         (rules.hardSegments ? 0.0 : kAllPixelsBytes);
 }
 
 /// While a frame is decoded: what it takes beyond the size that it is scaled to.
@@ -76,18 +102,19 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double stream = exemplarVolume * (kPackedMaskBytes + kAccumulatedBytes);
   const double flow =
       stream + std::max({decodingBytes(run, {}),
-                         flowBytes(run.exemplar, run.exemplarFrames, run.timeBlurSigmaFrames),
-                         flowBytes(run.target, run.targetFrames, run.timeBlurSigmaFrames)});
+                         flowBytes(run.exemplar, run.exemplarFrames, run.exemplarFlow, run),
+                         flowBytes(run.target, run.targetFrames, run.targetFlow, run)});
 
   const double exemplar =
-      exemplarVolume * (kPyramidFactor * kLevelBytes + kPackedMaskBytes + kAccumulatedBytes +
-                        kUnreturnedBytes + kCandidateGrowthBytes);
+      exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) + kPackedMaskBytes +
+                        kAccumulatedBytes + kUnreturnedBytes + kCandidateGrowthBytes);
+  const double shapeBytes = run.shape.guide == ShapeGuide::kBlurredMask ? kShapeBytes : 0.0;
   constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
   const double reading =
       exemplar + std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
-                          pixels(run.exemplar) * kGuidesAtWork);
-  const double painting = exemplar + std::max(pixels(run.target) * kGuidesAtWork,
-                                              pixels(run.target) * kPaintingBytes +
+                          pixels(run.exemplar) * (kGuidesAtWork + shapeBytes));
+  const double painting = exemplar + std::max(pixels(run.target) * (kGuidesAtWork + shapeBytes),
+                                              pixels(run.target) * (kPaintingBytes + shapeBytes) +
                                                   exemplarVolume * occurrenceBytes(run));
 
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;

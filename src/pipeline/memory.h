@@ -5,6 +5,7 @@
 
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/guides/packed_shape.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation {
 
@@ -20,6 +21,10 @@ struct RunSize {
   int threads = 1;
   float timeBlurSigmaFrames = 0.0F;
   Size largestStored;  ///< of all frames read, before scaling
+  float flowBlurSigmaFrames = 0.0F;
+  ShapeRules shape{};
+  Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
+  Size targetFlow{};
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

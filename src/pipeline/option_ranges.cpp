@@ -62,20 +62,32 @@ void check(const std::string& prefix, const SequenceOptions& sequence) {
   check(prefix + "-scale", sequence.scale, ranges::kScales);
 }
 
+void checkFlow(const std::string& prefix, const std::optional<std::string>& path,
+               const SequenceOptions& sequence) {
+  if (!path) return;
+  checkPattern(prefix + "-flow-path", *path);
+  if (sequence.speed == 1 || sequence.speed == -1) return;
+  throw UsageError(prefix + "-speed " + std::to_string(sequence.speed) + ": wanted 1 or -1 with " +
+                   prefix + "-flow-path, whose files lead from one frame to the next");
+}
+
 void check(const ModulationBounds& bounds) {
   const std::string option = "--prev-modulation-bounds";
-  check(option, bounds.upperPx, ranges::kModulationBoundsPx);
-  check(option, bounds.lowerPx, ranges::kModulationBoundsPx);
-  if (bounds.upperPx > bounds.lowerPx) return;
-  throw UsageError(option + " " + numberText(bounds.upperPx) + "," + numberText(bounds.lowerPx) +
+  const bool inPixels = bounds.unit == ModulationUnit::kPixels;
+  const Range& range = inPixels ? ranges::kModulationBoundsPx : ranges::kModulationShares;
+  check(option, bounds.upper, range);
+  check(option, bounds.lower, range);
+  if (bounds.upper > bounds.lower) return;
+  throw UsageError(option + " " + numberText(bounds.upper) + "," + numberText(bounds.lower) +
                    ": wanted m_u greater than m_l");
 }
 
 void check(const SynthesisOptions& synthesis) {
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
+  check("--dir-weight", synthesis.dirWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
-  if (synthesis.prevModulation) check(*synthesis.prevModulation);
+  check(synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);
@@ -119,6 +131,17 @@ void validate(const Options& options) {
   checkPattern("--src-mask-path", options.sourceMaskPath);
   check("--target", options.target);
   checkOutputPattern("--out-path", options.outPath);
+  checkFlow("--src", options.sourceFlowPath, options.source);
+  checkFlow("--target", options.targetFlowPath, options.target);
+  if (options.flowConvention != FlowConvention::kBackward && !options.sourceFlowPath &&
+      !options.targetFlowPath) {
+    throw UsageError(
+        "--flow-convention forward: wanted with --src-flow-path or --target-flow-path only");
+  }
+  if (options.motionModel != MotionModel::kNormals && options.targetFlowPath) {
+    throw UsageError(
+        "--motion-model rigid: not wanted with --target-flow-path, which tells how things move");
+  }
   if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
     throw UsageError("--dump-guides with an empty value: wanted a folder's name");
   }
@@ -129,6 +152,7 @@ void validate(const Options& options) {
   check("--mask-threshold", options.maskThreshold, ranges::kThresholds);
   if (options.borderWidthPx) check("--border-width", *options.borderWidthPx, ranges::kWidthsPx);
   check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
+  check("--flow-blur-sigma", options.flowBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check(options.synthesis);
   check("--threads", options.threads, ranges::kThreads);
 }

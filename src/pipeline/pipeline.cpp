@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/flow_note.h"
+#include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
@@ -93,12 +95,38 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
               "check the masks or lower --blur-sigma");
 }
 
-/// The exemplar with its colours, which are all that is read of it after the masks.
+/// How the guides of a sequence are made whose masks are smoothed by this sigma and which moves by
+/// this model.
+GuideOptions guideOptions(const Options& options, float blurSigmaPx, MotionModel motionModel) {
+  GuideOptions guides;
+  guides.mask = {blurSigmaPx, options.maskThreshold};
+  guides.timeBlurSigmaFrames = options.timeBlurSigmaFrames;
+  guides.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
+  guides.motionModel = motionModel;
+  if (options.synthesis.shape.guide == ShapeGuide::kBlurredMask) {
+    guides.shapeBlurRadiusPx = *options.borderWidthPx;
+  }
+  return guides;
+}
+
+/// Reads the given flow; empty where there is none.
+/// @param flow        must outlive the reader.
+/// @param beforeEach  called before each frame.
+FlowReader flowReader(const std::optional<FlowSequence>& flow,
+                      const std::function<void()>& beforeEach) {
+  if (!flow) return {};
+  return [beforeEach, given = std::make_shared<GivenFlow>(*flow)](int frame, const Mask& previous) {
+    beforeEach();
+    return given->flow(frame, previous);
+  };
+}
+
+/// The exemplar with its colours, which are all that is read of it after masks and flow.
 /// @throws Interrupted, Error.
 Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
-                    *options.borderWidthPx);
+                    *options.borderWidthPx, options.synthesis.shape);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     stopIfCancelled(observer, 0, inputs.target.files.count());
     exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
@@ -151,8 +179,8 @@ void stylize(const Options& given, const Observer& observer) {
   const int frameCount = inputs.target.files.count();
   const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
 
-  // All files are read before anything is written, and only masks and colours are kept: a damaged
-  // one must leave neither half a dump nor an empty folder.
+  // All files are read before anything is written, and only masks, flows and colours are kept: a
+  // damaged one must leave neither half a dump nor an empty folder.
   const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
   const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
@@ -163,8 +191,8 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
-      GuideOptions{MaskOptions{*options.blurSigmaPx, options.maskThreshold},
-                   options.timeBlurSigmaFrames});
+      guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
+      flowReader(inputs.sourceFlow, stopBeforeTheFirst));
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   const MaskReader readTarget =
@@ -175,8 +203,8 @@ void stylize(const Options& given, const Observer& observer) {
         stopBeforeTheFirst();
         return readTarget(frame);
       },
-      GuideOptions{MaskOptions{*options.targetBlurSigmaPx, options.maskThreshold},
-                   options.timeBlurSigmaFrames, options.motionModel});
+      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
+      flowReader(inputs.targetFlow, stopBeforeTheFirst));
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

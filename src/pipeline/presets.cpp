@@ -8,14 +8,17 @@ void applyThesisPreset(Options& options) {
   options.maskThreshold = 0.3F;
   options.borderWidthPx = 10.0F;
   options.timeBlurSigmaFrames = 2.0F;
+  options.flowBlurSigmaFrames = 0.0F;
   SynthesisOptions& synthesis = options.synthesis;
   synthesis.distWeight = 5.0F;
   synthesis.flowWeight = 0.1F;
+  synthesis.dirWeight = 0.0F;
   synthesis.prevWeight = 1.0F;
   synthesis.lambda = 2.0F;
   synthesis.occRadiusFrames = 10;
   synthesis.patchmatchAlpha = 0.75F;
-  synthesis.prevModulation = ModulationBounds{10.0F, 2.0F};
+  synthesis.shape = {ShapeGuide::kEdgeDistance, true, ModulationDistance::kClamped};
+  synthesis.prevModulation = {10.0F, 2.0F, ModulationUnit::kPixels};
   synthesis.edgeGain = 1.0F;
   synthesis.patchmatchIterations = {6, 4};
   synthesis.optIterations = {4, 3, 2};
@@ -24,6 +27,22 @@ void applyThesisPreset(Options& options) {
   synthesis.carriesMotion = false;
   synthesis.extentUnit = ExtentUnit::kPixels;
   synthesis.paintedVote = {0.0F, Interpolation::kBilinear};
+}
+
+void applyPaperPreset(Options& options) {
+  applyThesisPreset(options);
+  options.borderWidthPx = 30.0F;  // d_bound and b
+  options.timeBlurSigmaFrames = 0.0F;
+  options.flowBlurSigmaFrames = 1.5F;  // over 3 frames on either side; P App. A
+  SynthesisOptions& synthesis = options.synthesis;
+  synthesis.distWeight = 4.0F;
+  synthesis.flowWeight = 0.25F;
+  synthesis.dirWeight = 1.0F;
+  synthesis.prevWeight = 4.0F;
+  synthesis.lambda = 1.0F;
+  synthesis.occRadiusFrames = 5;
+  synthesis.shape = {ShapeGuide::kBlurredMask, false, ModulationDistance::kUnclamped};
+  synthesis.prevModulation = {0.1F, 0.01F, ModulationUnit::kTargetSides};
 }
 
 }  // namespace fluidymation

@@ -26,6 +26,9 @@ ProtectedFiles::ProtectedFiles(const Options& options) {
        {options.source.path, options.sourceMaskPath, options.target.path}) {
     add(FramePattern(text));
   }
+  for (const auto& flowPath : {options.sourceFlowPath, options.targetFlowPath}) {
+    if (flowPath) add(FramePattern(*flowPath));
+  }
 }
 
 bool ProtectedFiles::contains(const std::string& path) const {

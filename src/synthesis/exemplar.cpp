@@ -5,15 +5,18 @@
 #include <limits>
 
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/synthesis/shape_rules.h"
 
 namespace fluidymation {
 
-ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx)
-    : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx) {
+ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx,
+                             const ShapeRules& rules)
+    : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx), rules_(rules) {
   const std::size_t volume = offset(0, 0, frameCount);
   assert(volume <= std::numeric_limits<std::uint32_t>::max());  // candidates are 32-bit indices
   pixels_.resize(volume);
   segments_.resize(volume, Segment::kOutside);
+  if (!edgeGuideTellsDistance(rules)) distancesPx_.resize(volume);
 }
 
 void ExemplarLevel::setColor(int frame, const Image<Lab>& color) {
@@ -29,14 +32,17 @@ void ExemplarLevel::setColor(int frame, const Image<Lab>& color) {
 
 void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
   assert(guides.mask.size() == size_);
+  const Image<float> distancesPx =
+      distancesPx_.empty() ? Image<float>{} : modulationDistances(guides, borderWidthPx_, rules_);
   forEachRow(size_.height, [&](int y) {
     for (int x = 0; x < size_.width; ++x) {
       const Vec2 direction = guides.direction(x, y);
       Lanes& pixel = pixels_[offset(x, y, frame)];
-      pixel.low[kEdge] = edgeChannel(guides.distance(x, y), borderWidthPx_);
+      pixel.low[kEdge] = shapeChannel(guides, x, y, borderWidthPx_, rules_);
       pixel.high = Float4{guides.extForward(x, y), guides.extBackward(x, y), direction.x,
                           direction.y};  // extents in px until `finish`
       segments_[offset(x, y, frame)] = guides.segment(x, y, borderWidthPx_);
+      if (!distancesPx.empty()) distancesPx_[offset(x, y, frame)] = distancesPx(x, y);
     }
   });
 }
@@ -53,11 +59,16 @@ void ExemplarLevel::finish(const ExtentScale& extentScale) {
     if (segments_[i] == Segment::kOutside) continue;
     (segments_[i] == Segment::kBorder ? borderPixels_ : interiorPixels_)
         .push_back(static_cast<std::uint32_t>(i));
+    if (!rules_.hardSegments) allPixels_.push_back(static_cast<std::uint32_t>(i));
   }
   segmented_ = !borderPixels_.empty() && !interiorPixels_.empty();
 }
 
 const std::vector<std::uint32_t>& ExemplarLevel::candidates(Segment segment) const {
+  return rules_.hardSegments ? pixelsOf(segment) : allPixels_;
+}
+
+const std::vector<std::uint32_t>& ExemplarLevel::pixelsOf(Segment segment) const {
   if (segmented_) return segment == Segment::kBorder ? borderPixels_ : interiorPixels_;
   return borderPixels_.empty() ? interiorPixels_ : borderPixels_;
 }
@@ -70,9 +81,10 @@ ExemplarLevel::Position ExemplarLevel::position(std::uint32_t volumeIndex) const
           static_cast<int>(row / height)};
 }
 
-Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx) {
+Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx,
+                   const ShapeRules& rules) {
   for (int l = 0; l <= coarsest; ++l) {
-    levels_.emplace_back(size, frameCount, borderWidthPx);
+    levels_.emplace_back(size, frameCount, borderWidthPx, rules);
     size = halvedSize(size);
   }
   accForward_.resize(static_cast<std::size_t>(frameCount));

@@ -152,7 +152,7 @@ double OccurrenceMap::meanOfUniformUse(const ExemplarLevel& exemplar,
 ExpectedUse::ExpectedUse(const ExemplarLevel& exemplar, int radiusFrames)
     : segmented_(exemplar.segmented()) {
   const auto perUse = [&](Segment segment) {
-    const std::vector<std::uint32_t>& pixels = exemplar.candidates(segment);
+    const std::vector<std::uint32_t>& pixels = exemplar.pixelsOf(segment);
     if (pixels.empty()) return 0.0;
     return OccurrenceMap::meanOfUniformUse(exemplar, pixels, radiusFrames) /
            static_cast<double>(pixels.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "fluidymation/synthesis/sampling.h"
 
@@ -10,6 +11,14 @@ namespace {
 
 /// A rotated window reaches sqrt(2) * radius from its centre; bilinear sampling one pixel further.
 constexpr float kWindowReachPx = 1.4143F * kPatchRadius;
+
+/// |tan| of the angle between two directions of any length; 0 where one has none.
+float misalignment(Vec2 a, Vec2 b) {
+  const float sine = std::abs(a.x * b.y - a.y * b.x);
+  const float cosine = std::abs(dot(a, b));
+  if (sine < kLargestMisalignment * cosine) return sine / cosine;
+  return sine > 0.0F ? kLargestMisalignment : 0.0F;
+}
 
 float sum(const Lanes& v) {
   const Float4 s = v.low + v.high;
@@ -38,6 +47,8 @@ void PatchDistance::gather(int x, int y, TargetWindow& window) const {
                                          static_cast<float>(kColorChannels * remembered);
   const float distWeight = weights_.dist / static_cast<float>(kPatchArea);
   const float flowWeight = weights_.flow / static_cast<float>(kPatchArea);
+  const bool directed = weights_.dir != 0.0F;
+  const float directionWeight = weights_.dir / static_cast<float>(colored);
 
   window.direction = target_.direction(x, y);
   window.constant = 0.0F;
@@ -61,16 +72,26 @@ void PatchDistance::gather(int x, int y, TargetWindow& window) const {
       const float extForward = target_.extForward(qx, qy);
       const float extBackward = target_.extBackward(qx, qy);
       window.value[i].low = Float4{blend.l, blend.a, blend.b, target_.edge(qx, qy)};
-      window.value[i].high = Float4{extForward, extBackward, 0.0F, 0.0F};
-      window.swappedHigh[i] = Float4{extBackward, extForward, 0.0F, 0.0F};
+      const Vec2 direction = directed ? target_.direction(qx, qy) : Vec2{};
+      window.value[i].high = Float4{extForward, extBackward, direction.x, direction.y};
+      window.swappedHigh[i] = Float4{extBackward, extForward, direction.x, direction.y};
       window.weight[i].low = Float4{both, both, both, distWeight};
       window.weight[i].high = Float4{flowWeight, flowWeight, 0.0F, 0.0F};
+      if (directed) {
+        window.directionWeight[i] = inImage && target_.inside(qx, qy) ? directionWeight : 0.0F;
+      }
     }
   }
 }
 
 float PatchDistance::operator()(const TargetWindow& window, const Match& match,
                                 float stopAt) const {
+  return weights_.dir == 0.0F ? compare<false>(window, match, stopAt)
+                              : compare<true>(window, match, stopAt);
+}
+
+template <bool kDirected>
+float PatchDistance::compare(const TargetWindow& window, const Match& match, float stopAt) const {
   const Size size = exemplar_.size();
   const Lanes* frame = exemplar_.frame(match.frame);
   const Vec2 sourceDirection = exemplar_.direction(match.nearestX(), match.nearestY(), match.frame);
@@ -86,6 +107,7 @@ float PatchDistance::operator()(const TargetWindow& window, const Match& match,
   std::size_t i = 0;
   for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
     Lanes row;
+    float directions = 0.0F;
     for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx, ++i) {
       const float sx = match.x + static_cast<float>(dx) * right.x + static_cast<float>(dy) * down.x;
       const float sy = match.y + static_cast<float>(dx) * right.y + static_cast<float>(dy) * down.y;
@@ -95,8 +117,13 @@ float PatchDistance::operator()(const TargetWindow& window, const Match& match,
       const Float4 high = s.high - (opposite ? window.swappedHigh[i] : window.value[i].high);
       row.low += low * low * window.weight[i].low;
       row.high += high * high * window.weight[i].high;
+      if constexpr (kDirected) {
+        const Vec2 turned = match.rotation.apply({s.high[2], s.high[3]});
+        const Float4& wanted = window.value[i].high;
+        directions += window.directionWeight[i] * misalignment(turned, {wanted[2], wanted[3]});
+      }
     }
-    distance += sum(row);
+    distance += sum(row) + directions;
     if (distance >= stopAt) return distance;
   }
   return distance;

@@ -39,13 +39,19 @@ int coarsestLevel(Size source, Size target) {
 
 Size halvedSize(Size size) { return {(size.width + 1) / 2, (size.height + 1) / 2}; }
 
+bool GuideLevel::edgeless() const {
+  return std::all_of(distance.begin(), distance.end(),
+                     [first = distance.data()](float d) { return d == *first; });
+}
+
 GuideLevel finestLevel(const GuideFrame& frame) {
   GuideLevel level{frame.mask.clone(),
                    frame.distance.clone(),
                    Image<float>(frame.mask.size()),
                    Image<float>(frame.mask.size()),
                    frame.flow.clone(),
-                   frame.direction.clone()};
+                   frame.direction.clone(),
+                   frame.shape.clone()};
   std::transform(frame.accForward.begin(), frame.accForward.end(), level.extForward.begin(),
                  [](Vec2 acc) { return length(acc); });
   std::transform(frame.accBackward.begin(), frame.accBackward.end(), level.extBackward.begin(),
@@ -55,13 +61,20 @@ GuideLevel finestLevel(const GuideFrame& frame) {
 
 GuideLevel halve(const GuideLevel& fine) {
   const Size size = halvedSize(fine.mask.size());
-  GuideLevel coarse{Mask(size),         Image<float>(size), Image<float>(size),
-                    Image<float>(size), Image<Vec2>(size),  Image<Vec2>(size)};
+  const bool shaped = !fine.shape.empty();
+  GuideLevel coarse{Mask(size),
+                    Image<float>(size),
+                    Image<float>(size),
+                    Image<float>(size),
+                    Image<Vec2>(size),
+                    Image<Vec2>(size),
+                    Image<float>(shaped ? size : Size{})};
   forEachRow(size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       int covered = 0;
       int inside = 0;
       float distance = 0.0F;
+      float shape = 0.0F;
       float extForward = 0.0F;
       float extBackward = 0.0F;
       Vec2 flow;
@@ -73,6 +86,7 @@ GuideLevel halve(const GuideLevel& fine) {
         if (!fine.mask.contains(fx, fy)) continue;
         ++covered;
         distance += fine.distance(fx, fy);
+        if (shaped) shape += fine.shape(fx, fy);
         if (fine.mask(fx, fy) == 0) continue;
         if (inside++ == 0) firstDirection = fine.direction(fx, fy);
         extForward += fine.extForward(fx, fy);
@@ -81,6 +95,7 @@ GuideLevel halve(const GuideLevel& fine) {
         direction += fine.direction(fx, fy);
       }
       coarse.distance(x, y) = distance / static_cast<float>(covered);
+      if (shaped) coarse.shape(x, y) = shape / static_cast<float>(covered);
       if (inside == 0) continue;
       const float share = 1.0F / static_cast<float>(inside);
       coarse.mask(x, y) = 1;

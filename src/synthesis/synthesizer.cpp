@@ -25,12 +25,6 @@ int valueAt(const std::vector<int>& list, int level, int coarsest) {
   return list[std::min(fromCoarsest, list.size() - 1)];
 }
 
-/// Those given, else as many as the border width tells.
-ModulationBounds modulationBounds(const SynthesisOptions& options, float borderWidthPx) {
-  return options.prevModulation.value_or(ModulationBounds{kModulationShares.upper * borderWidthPx,
-                                                          kModulationShares.lower * borderWidthPx});
-}
-
 bool hasAnyMatch(const NearestNeighborField& nnf) {
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
 }
@@ -74,7 +68,7 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   if (countInside(frame.mask) > 0) {
     for (int l = coarsest; l >= 0; --l) {
       TargetLevel target(guides[static_cast<std::size_t>(l)], exemplar_.level(0).borderWidthPx(),
-                         exemplar_.extentScale());
+                         exemplar_.extentScale(), options_.shape);
       nnf = l < finestSearched() ? upscale(nnf, target.segment)
                                  : optimizedField(l, nnf, shifted, fresh, target);
       if (l == 0) {
@@ -98,7 +92,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
   const int coarsest = exemplar_.levelCount() - 1;
   const int searchIterations = valueAt(options_.patchmatchIterations, level, coarsest);
   const DistanceWeights weights{1.0F, options_.edgeGain * options_.distWeight, options_.flowWeight,
-                                options_.prevWeight};
+                                options_.prevWeight, options_.dirWeight};
   int pass = 0;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
     findNearestNeighbors(problem, w, searchIterations, pass, nnf);
@@ -110,14 +104,17 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
   if (fresh) {
     if (level == coarsest) {
       repair(problem, kRandomFieldPass, nnf);
-      search({0.0F, weights.dist, weights.flow, 0.0F}, nnf);  // guides alone place it (§4.2)
+      // Guides alone place it (§4.2)
+      search({0.0F, weights.dist, weights.flow, 0.0F, weights.dir}, nnf);
     } else {
       nnf = upscale(coarser, target.segment);
     }
   } else {
     NearestNeighborField downscaled = downscale(shifted, level);
-    setPrevious(exemplar, exemplar.borderWidthPx(),
-                modulationBounds(options_, exemplar.borderWidthPx()), downscaled, target);
+    const float borderWidthPx = exemplar.borderWidthPx();
+    setPrevious(exemplar, borderWidthPx,
+                inPixels(options_.prevModulation, borderWidthPx, shifted.size()), downscaled,
+                target);
     nnf = level == coarsest
               ? std::move(downscaled)
               : merge(problem, weights, upscale(coarser, target.segment), downscaled, target);

@@ -4,29 +4,28 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/channels.h"
+#include "fluidymation/synthesis/shape_rules.h"
 
 namespace fluidymation {
 
 TargetLevel::TargetLevel(const GuideLevel& guides, float borderWidthPx,
-                         const ExtentScale& extentScale)
+                         const ExtentScale& extentScale, const ShapeRules& rules)
     : segment(guides.mask.size(), Segment::kOutside),
       edge(guides.mask.size()),
       extForward(guides.mask.size()),
       extBackward(guides.mask.size()),
       direction(guides.direction.clone()),
-      clampedDistancePx(guides.mask.size()),
+      modulationDistancePx(modulationDistances(guides, borderWidthPx, rules)),
       picture(guides.mask.size()),
       previous(guides.mask.size()),
       hasPrevious(guides.mask.size()),
       modulation(guides.mask.size()) {
   forEachRow(segment.height(), [&](int y) {
     for (int x = 0; x < segment.width(); ++x) {
-      const float distance = guides.distance(x, y);
       segment(x, y) = guides.segment(x, y, borderWidthPx);
-      edge(x, y) = edgeChannel(distance, borderWidthPx);
+      edge(x, y) = shapeChannel(guides, x, y, borderWidthPx, rules);
       extForward(x, y) = extentScale(guides.extForward(x, y));
       extBackward(x, y) = extentScale(guides.extBackward(x, y));
-      clampedDistancePx(x, y) = std::min(distance, borderWidthPx);
     }
   });
   borderCount =

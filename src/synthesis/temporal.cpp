@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/synthesis/shape_rules.h"
 #include "fluidymation/synthesis/vote.h"
 
 namespace fluidymation {
@@ -101,8 +102,24 @@ float smoothstep(float x, float l, float u) {
   return v * v * (3.0F - 2.0F * v);
 }
 
-void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const ModulationBounds& bounds,
-                 const NearestNeighborField& shifted, TargetLevel& target) {
+ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx, Size target) {
+  float unitPx = 1.0F;
+  switch (bounds.unit) {
+    case ModulationUnit::kPixels:
+      break;
+    case ModulationUnit::kBorderWidths:
+      unitPx = borderWidthPx;
+      break;
+    case ModulationUnit::kTargetSides:
+      unitPx = static_cast<float>(std::max(target.width, target.height));
+      break;
+  }
+  return {bounds.upper * unitPx, bounds.lower * unitPx};
+}
+
+void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
+                 const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
+                 TargetLevel& target) {
   VotedPicture previous = vote(exemplar, target.segment, shifted);
   target.previous = std::move(previous.color);
   target.hasPrevious = std::move(previous.exists);
@@ -113,11 +130,10 @@ void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const Modul
       if (!match.exists() || !target.inside(x, y)) continue;
       const int sx = std::clamp(match.nearestX(), 0, exemplar.size().width - 1);
       const int sy = std::clamp(match.nearestY(), 0, exemplar.size().height - 1);
-      const float sourceDistancePx =
-          exemplar.pixel(sx, sy, match.frame)[kEdge] / kEdgeScale * borderWidthPx;
-      target.modulation(x, y) =
-          smoothstep(std::abs(target.clampedDistancePx(x, y) - sourceDistancePx), bounds.upperPx,
-                     bounds.lowerPx);
+      const float differencePx =
+          modulationDifference(target.modulationDistancePx(x, y),
+                               exemplar.modulationDistancePx(sx, sy, match.frame), borderWidthPx);
+      target.modulation(x, y) = smoothstep(differencePx, bounds.upper, bounds.lower);
     }
   });
 }

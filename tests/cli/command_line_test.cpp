@@ -87,6 +87,11 @@ const std::vector<Reaching>& reachingOptions() {
       {"--target-blur-sigma", "1e1", [](C c) { return c.options.targetBlurSigmaPx == 10.0F; }},
       {"--mask-threshold", ".5", [](C c) { return c.options.maskThreshold == 0.5F; }},
       {"--time-blur-sigma", "1.25", [](C c) { return c.options.timeBlurSigmaFrames == 1.25F; }},
+      {"--flow-blur-sigma", "1.5", [](C c) { return c.options.flowBlurSigmaFrames == 1.5F; }},
+      {"--dir-weight", "1", [](C c) { return c.options.synthesis.dirWeight == 1.0F; }},
+      {"--shape-guide", "blurred",
+       [](C c) { return c.options.synthesis.shape.guide == ShapeGuide::kBlurredMask; }},
+      {"--segments", "none", [](C c) { return !c.options.synthesis.shape.hardSegments; }},
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
@@ -97,8 +102,9 @@ const std::vector<Reaching>& reachingOptions() {
       {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
-         const std::optional<ModulationBounds>& bounds = c.options.synthesis.prevModulation;
-         return bounds && bounds->upperPx == 7.5F && bounds->lowerPx == 0.0F;
+         const ModulationBounds& bounds = c.options.synthesis.prevModulation;
+         return bounds.upper == 7.5F && bounds.lower == 0.0F &&
+                bounds.unit == ModulationUnit::kPixels;
        }},
       {"--patchmatch-iterations", "3",
        [](C c) { return c.options.synthesis.patchmatchIterations == List{3}; }},
@@ -121,6 +127,11 @@ const std::vector<Reaching>& reachingOptions() {
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
+      {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},
+      {"--target-flow-path", "g/%d.png",
+       [](C c) { return c.options.targetFlowPath == "g/%d.png"; }},
+      {"--flow-convention", "forward",
+       [](C c) { return c.options.flowConvention == FlowConvention::kForward; }},
       {"--dump-guides", "d", [](C c) { return c.options.dumpGuidesDirectory == "d"; }},
   };
   return options;
@@ -159,6 +170,11 @@ TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
     EXPECT_FALSE(o.targetBlurSigmaPx);
     EXPECT_EQ(o.maskThreshold, 0.3F);
     EXPECT_EQ(o.timeBlurSigmaFrames, 2.0F);
+    EXPECT_EQ(o.flowBlurSigmaFrames, 0.0F);
+    EXPECT_EQ(o.synthesis.shape.guide, ShapeGuide::kEdgeDistance);
+    EXPECT_TRUE(o.synthesis.shape.hardSegments);
+    EXPECT_EQ(o.synthesis.shape.modulation, ModulationDistance::kClamped);
+    EXPECT_EQ(o.synthesis.dirWeight, 0.0F);
     EXPECT_EQ(o.synthesis.distWeight, 5.0F);
     EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
     EXPECT_EQ(o.synthesis.prevWeight, 1.0F);
@@ -181,9 +197,9 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
   EXPECT_FALSE(all.synthesis.carriesMotion);
   EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
-  ASSERT_TRUE(all.synthesis.prevModulation);
-  EXPECT_EQ(all.synthesis.prevModulation->upperPx, 10.0F);
-  EXPECT_EQ(all.synthesis.prevModulation->lowerPx, 2.0F);
+  EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
+  EXPECT_EQ(all.synthesis.prevModulation.lower, 2.0F);
+  EXPECT_EQ(all.synthesis.prevModulation.unit, ModulationUnit::kPixels);
   const VoteOptions& thesis = all.synthesis.paintedVote;
   EXPECT_EQ(thesis.sigmaPx, 0.0F);
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
@@ -199,6 +215,49 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
     EXPECT_EQ(given.paintedVote.interpolation, Interpolation::kBilinear);
     EXPECT_EQ(given.lambda, 7.0F);
   }
+}
+
+TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
+  const Options o = parse(complete({"--preset", "paper"})).options;
+  const SynthesisOptions& s = o.synthesis;
+  EXPECT_EQ(o.borderWidthPx, 30.0F);
+  EXPECT_EQ(s.occRadiusFrames, 5);
+  EXPECT_EQ(s.distWeight, 4.0F);
+  EXPECT_EQ(s.flowWeight, 0.25F);
+  EXPECT_EQ(s.dirWeight, 1.0F);
+  EXPECT_EQ(s.prevWeight, 4.0F);
+  EXPECT_EQ(s.lambda, 1.0F);
+  EXPECT_EQ(s.prevModulation.upper, 0.1F);
+  EXPECT_EQ(s.prevModulation.lower, 0.01F);
+  EXPECT_EQ(s.prevModulation.unit, ModulationUnit::kTargetSides);
+  EXPECT_EQ(s.shape.guide, ShapeGuide::kBlurredMask);
+  EXPECT_FALSE(s.shape.hardSegments);
+  EXPECT_EQ(s.shape.modulation, ModulationDistance::kUnclamped);
+  EXPECT_EQ(o.timeBlurSigmaFrames, 0.0F);
+  EXPECT_EQ(o.flowBlurSigmaFrames, 1.5F);
+  EXPECT_EQ(s.extentUnit, ExtentUnit::kPixels);
+  // What the paper leaves open is as in the thesis
+  EXPECT_EQ(o.blurSigmaPx, 8.0F);
+  EXPECT_EQ(s.edgeGain, 1.0F);
+  EXPECT_EQ(s.thinParts, ThinParts::kFringe);
+  EXPECT_FALSE(s.carriesMotion);
+  EXPECT_EQ(o.motionModel, MotionModel::kNormals);
+  EXPECT_EQ(s.paintedVote.sigmaPx, 0.0F);
+  EXPECT_EQ(s.paintedVote.interpolation, Interpolation::kBilinear);
+  EXPECT_EQ(s.optIterations, (List{4, 3, 2}));
+}
+
+TEST(CommandLine, OtherOptionsChangeThePaperPreset) {
+  const SynthesisOptions s =
+      parse(complete({"--prev-modulation-bounds", "7,3", "--preset", "paper", "--shape-guide",
+                      "distance", "--segments", "hard", "--dir-weight", "0"}))
+          .options.synthesis;
+  EXPECT_EQ(s.prevModulation.upper, 7.0F);
+  EXPECT_EQ(s.prevModulation.unit, ModulationUnit::kPixels);
+  EXPECT_EQ(s.shape.guide, ShapeGuide::kEdgeDistance);
+  EXPECT_TRUE(s.shape.hardSegments);
+  EXPECT_EQ(s.dirWeight, 0.0F);
+  EXPECT_EQ(s.prevWeight, 4.0F);
 }
 
 TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
@@ -224,6 +283,12 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
     std::string value;
     std::string wanted;
   } cases[] = {
+      {"--preset", "Paper", ": wanted standard, thesis or paper"},
+      {"--shape-guide", "edge", ": wanted distance or blurred"},
+      {"--segments", "1", ": wanted hard or none"},
+      {"--flow-convention", "both", ": wanted backward or forward"},
+      {"--dir-weight", "-1", wantedWeight},
+      {"--flow-blur-sigma", "51", wantedTimeSigma},
       {"--mask-threshold", "0.7", ": wanted a number in (0, 0.5]"},
       {"--mask-threshold", "0", ": wanted a number in (0, 0.5]"},
       {"--mask-threshold", "0,3", ": wanted a number in (0, 0.5]"},
@@ -374,7 +439,8 @@ TEST(CommandLine, RequiredOptionsAreAllNamed) {
 }
 
 TEST(CommandLine, PatternsAreCheckedAndNamed) {
-  for (const char* option : {"--src-path", "--src-mask-path", "--target-path", "--out-path"}) {
+  for (const char* option : {"--src-path", "--src-mask-path", "--target-path", "--out-path",
+                             "--src-flow-path", "--target-flow-path"}) {
     for (const char* pattern : {"a.png", "%s.png", "%n", "%99999999d", "%", "%d%d", "%d/a.png"}) {
       const std::string message = complaint({option, pattern});
       EXPECT_EQ(message.find(std::string(option) + ": " + pattern + ": "), 0U) << message;

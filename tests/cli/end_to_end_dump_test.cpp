@@ -138,6 +138,19 @@ TEST_F(EndToEndDump, HasExactlyTheFilesOfTheList) {
   EXPECT_EQ(scene_.names("dump/target"), target);
 }
 
+TEST_F(EndToEndDump, TheBlurredMaskIsDumpedWhereItGuides) {
+  (void)scene_.painting({{"--dump-guides", "dump"}, {"--shape-guide", "blurred"}});
+  forEachFrame([&](const std::string& sequence, int number) {
+    const Image<float> expected = blurredMask(mask(sequence, number), 3.0F);  // the border width
+    const FloatImage shape = plane(sequence, number, "shape.pfm");
+    for (int y = 0; y < expected.height(); ++y) {
+      for (int x = 0; x < expected.width(); ++x) {
+        ASSERT_NEAR(shape.at(x, y), expected(x, y), 1e-6F) << sequence << number;
+      }
+    }
+  });
+}
+
 TEST_F(EndToEndDump, ChangesNoPaintedByte) {
   const SmallScene::Painting withDump = filesOf(scene_.file("out"));
   EXPECT_TRUE(scene_.painting({{"--src-start", "4"}, {"--src-speed", "-1"}}) == withDump);

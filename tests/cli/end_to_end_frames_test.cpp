@@ -251,6 +251,11 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--target-blur-sigma", "2"},
       {"--mask-threshold", "0.45"},
       {"--time-blur-sigma", "0"},
+      {"--flow-blur-sigma", "1.5"},
+      {"--preset", "paper"},
+      {"--shape-guide", "blurred"},
+      {"--segments", "none"},
+      {"--dir-weight", "1"},
       {"--dist-weight", "0"},
       {"--flow-weight", "100"},
       {"--prev-weight", "0"},
@@ -270,6 +275,32 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
   }
 }
 
+/// The options of the scene that suit small pictures would hide most of a preset.
+TEST(EndToEndFrames, PresetsPaintEveryFrameEachInItsOwnWay) {
+  const SmallScene scene(3);
+  std::vector<Painting> paintings;
+  for (const std::string preset : {"standard", "thesis", "paper"}) {
+    ToolOptions options = SmallScene::defaults();
+    for (const char* option : {"--border-width", "--prev-modulation-bounds", "--time-blur-sigma"}) {
+      options.erase(option);
+    }
+    options["--preset"] = preset;
+    scene.remove("out");
+    ProcessSetup setup;
+    setup.workingFolder = scene.file("");
+    const ProcessResult result = runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    for (int number = 1; number <= 3; ++number) {
+      EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", number)),
+                                   smoothed(scene.targetMask(number), 1.0F)));
+    }
+    paintings.push_back(filesOf(scene.file("out")));
+  }
+  EXPECT_TRUE(paintings[0] != paintings[1]);
+  EXPECT_TRUE(paintings[1] != paintings[2]);
+  EXPECT_TRUE(paintings[0] != paintings[2]);
+}
+
 TEST(EndToEndFrames, OptionsWithTheirDefaultsChangeNothing) {
   const SmallScene scene(2);
   // The defaults as users read them, all at once; the scene's own are for tiny pictures.
@@ -285,6 +316,10 @@ TEST(EndToEndFrames, OptionsWithTheirDefaultsChangeNothing) {
                        {"--target-speed", "1"},
                        {"--target-scale", "1.0"},
                        {"--mask-threshold", "0.3"},
+                       {"--flow-blur-sigma", "0"},
+                       {"--shape-guide", "distance"},
+                       {"--segments", "hard"},
+                       {"--dir-weight", "0"},
                        {"--dist-weight", "5.0"},
                        {"--flow-weight", "0.1"},
                        {"--prev-weight", "1.0"},

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "fluidymation/core/random.h"
+#include "fluidymation/guides/mask.h"
 
 namespace fluidymation::test {
 
 GuideFrame GrowingDisc::guides(int frame) const {
   GuideFrame guides{Mask(size),        Image<float>(size), Image<Vec2>(size), Image<Vec2>(size),
-                    Image<Vec2>(size), Image<Vec2>(size),  SolveReport{}};
+                    Image<Vec2>(size), Image<Vec2>(size),  SolveReport{},     {}};
   const float radius = radiusPx(frame);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
@@ -75,11 +76,13 @@ Image<Lab> paintedDisc(const GrowingDisc& disc, int frame, std::uint64_t seed) {
 }
 
 Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx,
-                      std::uint64_t seed) {
-  Exemplar exemplar(disc.size, disc.frameCount, coarsest, borderWidthPx);
+                      std::uint64_t seed, const ShapeRules& rules) {
+  Exemplar exemplar(disc.size, disc.frameCount, coarsest, borderWidthPx, rules);
   for (int k = 0; k < disc.frameCount; ++k) {
     exemplar.setColor(k, paintedDisc(disc, k, seed));
-    exemplar.setGuides(k, disc.guides(k));
+    GuideFrame guides = disc.guides(k);
+    guides.shape = blurredMask(guides.mask, borderWidthPx);
+    exemplar.setGuides(k, guides);
   }
   exemplar.finish();
   return exemplar;

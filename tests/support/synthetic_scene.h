@@ -31,6 +31,6 @@ struct GrowingDisc {
 
 /// An exemplar of a growing disc, with as many levels as wanted.
 [[nodiscard]] Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx,
-                                    std::uint64_t seed);
+                                    std::uint64_t seed, const ShapeRules& rules = {});
 
 }  // namespace fluidymation::test

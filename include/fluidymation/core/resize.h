@@ -12,5 +12,6 @@ namespace fluidymation {
 /// the edge repeats. Equal size copies exactly.
 [[nodiscard]] Image<float> resize(const Image<float>& image, Size size);
 [[nodiscard]] Image<Rgb> resize(const Image<Rgb>& image, Size size);
+[[nodiscard]] Image<Vec2> resize(const Image<Vec2>& image, Size size);
 
 }  // namespace fluidymation

@@ -15,6 +15,7 @@ struct GuideFrame {
   Image<Vec2> accForward;   ///< motion accumulated since the start; its length is ext+ (§3.5)
   Image<Vec2> accBackward;  ///< motion still to come; its length is ext- (§3.5)
   SolveReport diffusion;    ///< what the solver did, for the flow or its direction: the worse
+  Image<float> shape;       ///< mask blurred, 0 to 1 (P§3.1); empty unless it was asked for
   /// How much of each pixel the shape covers, in [0, 1], where the masks are soft. Empty where they
   /// are hard: then the mask says it all.
   Image<float> coverage = {};

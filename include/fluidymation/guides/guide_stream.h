@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "fluidymation/guides/guide_frame.h"
@@ -7,6 +9,12 @@
 #include "fluidymation/options.h"
 
 namespace fluidymation {
+
+/// Gives the flow of frame i where the user has one: the movement from frame i - 1 to i, px per
+/// frame, of the frame's size; only what lies inside the mask counts. Called once for every frame,
+/// in order, after all masks.
+/// @param previousMask  of frame i - 1, after smoothing; empty of material for i = 0.
+using FlowReader = std::function<Image<Vec2>(int frame, const Mask& previousMask)>;
 
 /// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
 ///
@@ -19,7 +27,10 @@ class GuideStream {
  public:
   /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
   /// masks may be empty or full. `frameCount` >= 1.
-  GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options);
+  /// @param readFlow  replaces the flow derived from the masks, and its smoothing, where it is
+  /// given.
+  GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
+              const FlowReader& readFlow = {});
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
 
@@ -37,9 +48,18 @@ class GuideStream {
     SolveReport diffusion;
   };
 
+  /// Fills in all flows, derived from the masks or as given.
+  void deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options);
+  void takeFlow(const FlowReader& readFlow);
+
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
   void computeFlow(int begin, int end, const GuideOptions& options);
 
+  /// Replaces the flows of such a run by their means over time (P App. A): at each mask pixel a
+  /// Gaussian over the frames around that have the pixel in their masks.
+  void averageFlow(int begin, int end, float sigmaFrames);
+
+  std::optional<float> shapeBlurRadiusPx_;
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
   Image<Vec2> accForward_;  ///< of the frame given last

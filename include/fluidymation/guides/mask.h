@@ -15,6 +15,10 @@ namespace fluidymation {
 /// Gaussian * coverage, where `coverage` is in [0, 1]; sigma 0 copies it.
 [[nodiscard]] Image<float> smoothCoverage(const Image<float>& coverage, float sigmaPx);
 
+/// The paper's shape guide (P§3.1): Gaussian * mask, from 0 far outside to 1 deep inside. The
+/// kernel reaches `radiusPx` = 3 sigma; past the image edge the edge repeats.
+[[nodiscard]] Image<float> blurredMask(const Mask& mask, float radiusPx);
+
 /// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
 class PackedMask {
  public:

@@ -28,6 +28,15 @@ struct FrameFiles {
 [[nodiscard]] FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
                                     const std::string& optionName);
 
+/// Finds the files of a sequence that has one for every frame of another.
+/// @param frames       the other sequence; `sequence` are its options.
+/// @param optionName   the option that gave the pattern, for messages ("--target-flow-path").
+/// @param dispensable  the frame whose file may be missing, -1 for none; its path is empty then.
+/// @throws Error naming the option and all frames that are missing.
+[[nodiscard]] FrameFiles findCompanions(const FramePattern& pattern, const FrameFiles& frames,
+                                        const SequenceOptions& sequence,
+                                        const std::string& optionName, int dispensable);
+
 /// Reads the headers of all frames. @throws Error unless all have one size; names the first frame
 /// that differs, both sizes and the frame it differs from.
 [[nodiscard]] Size commonSize(const FrameFiles& files);

@@ -40,6 +40,19 @@ struct Rgba {
 [[nodiscard]] Image<Rgba> readPng(const std::string& path,
                                   std::optional<Size> expected = std::nullopt);
 
+/// A pixel of a file that holds data and no picture.
+struct Rgb16 {
+  std::uint16_t r = 0;
+  std::uint16_t g = 0;
+  std::uint16_t b = 0;
+};
+
+/// As `readPngSize` and `readPng` for files of 16-bit RGB, samples as stored: neither gamma nor
+/// profile counts. @throws Error likewise, and for PNG files of another kind.
+[[nodiscard]] Size readRgb16Size(const std::string& path);
+[[nodiscard]] Image<Rgb16> readRgb16(const std::string& path,
+                                     std::optional<Size> expected = std::nullopt);
+
 /// The colour of an exemplar frame; alpha is ignored. `expected` as for `readPng`.
 [[nodiscard]] Image<Rgb> readColor(const std::string& path,
                                    std::optional<Size> expected = std::nullopt);

@@ -14,10 +14,10 @@ enum Channel : int {
   kLightness,    ///< CIELAB L, 0..100
   kGreenRed,     ///< CIELAB a
   kBlueYellow,   ///< CIELAB b
-  kEdge,         ///< kEdgeScale * min(distance / border width, 1); §3.4
+  kEdge,         ///< kEdgeScale * min(distance / border width, 1), §3.4; or * blurred mask, P§3.1
   kExtForward,   ///< accumulated motion, see ExtentScale; §3.5
   kExtBackward,  ///< motion still to come, likewise; §3.5
-  kDirectionX,   ///< unit direction of the flow; not compared, read at the window's centre
+  kDirectionX,   ///< unit direction of the flow; compared by angle where that has a weight
   kDirectionY,
   kChannelCount
 };

@@ -20,7 +20,7 @@ namespace fluidymation {
 /// side by side. Volumes are stored frame by frame, row-major.
 class ExemplarLevel {
  public:
-  ExemplarLevel(Size size, int frameCount, float borderWidthPx);
+  ExemplarLevel(Size size, int frameCount, float borderWidthPx, const ShapeRules& rules = {});
 
   /// Fill frame k, in any order. `color` and `guides` have this level's size.
   void setColor(int frame, const Image<Lab>& color);
@@ -44,18 +44,28 @@ class ExemplarLevel {
 
   /// Whether (x, y) of frame k may be a match's centre for a target pixel of `wanted`: inside the
   /// image, inside the mask and in that segment. When the exemplar lacks one of the segments at
-  /// this level, any mask pixel serves.
+  /// this level, or where segments are not hard, any mask pixel serves.
   [[nodiscard]] bool isLegal(int x, int y, int k, Segment wanted) const {
     if (x < 0 || y < 0 || x >= size_.width || y >= size_.height) return false;
     const Segment found = segment(x, y, k);
-    return found == wanted || (!segmented_ && found != Segment::kOutside);
+    return found == wanted || (!constrained() && found != Segment::kOutside);
   }
   [[nodiscard]] bool isLegal(const Match& match, Segment wanted) const {
     return match.exists() && isLegal(match.nearestX(), match.nearestY(), match.frame, wanted);
   }
 
-  /// False when a segment has no pixel at this level: then segments do not constrain matches.
+  /// False when a segment has no pixel at this level: then there is no telling them apart.
   [[nodiscard]] bool segmented() const { return segmented_; }
+
+  /// Volume indices of a segment's pixels; of the other one's where it has none.
+  [[nodiscard]] const std::vector<std::uint32_t>& pixelsOf(Segment segment) const;
+
+  /// Distance to the edge as the temporal modulation compares it: clamped at the border width, or
+  /// unclamped and then infinite in frames without an edge.
+  [[nodiscard]] float modulationDistancePx(int x, int y, int k) const {
+    return distancesPx_.empty() ? pixel(x, y, k)[kEdge] / kEdgeScale * borderWidthPx_
+                                : distancesPx_[offset(x, y, k)];
+  }
 
   /// Volume indices of the pixels that may serve a target pixel of this segment; never empty
   /// unless all masks are.
@@ -76,21 +86,28 @@ class ExemplarLevel {
            static_cast<std::size_t>(x);
   }
 
+  /// Whether a match has to stay in its segment.
+  [[nodiscard]] bool constrained() const { return segmented_ && rules_.hardSegments; }
+
   Size size_;
   int frameCount_;
   float borderWidthPx_;
+  ShapeRules rules_;
   bool segmented_ = true;
+  std::vector<float> distancesPx_;  ///< empty where the edge guide tells them
   std::vector<Lanes> pixels_;
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> borderPixels_;
   std::vector<std::uint32_t> interiorPixels_;
+  std::vector<std::uint32_t> allPixels_;  ///< only where segments are not hard
 };
 
 /// The exemplar on all levels, and its accumulated motion at full resolution.
 class Exemplar {
  public:
   /// @param coarsest  number of the coarsest level wanted.
-  Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx);
+  Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx,
+           const ShapeRules& rules = {});
 
   /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
   void setColor(int frame, const Image<Lab>& color);

@@ -14,7 +14,11 @@ struct DistanceWeights {
   float dist = 0.0F;
   float flow = 0.0F;
   float prev = 0.0F;
+  float dir = 0.0F;
 };
+
+/// Largest |tan| of the angle between two directions of movement: at right angles it has no bound.
+inline constexpr float kLargestMisalignment = 10.0F;
 
 /// The target's side of a patch comparison, gathered once per target pixel.
 ///
@@ -28,6 +32,9 @@ struct TargetWindow {
   std::array<Float4, kPatchArea> swappedHigh;  ///< `value.high` with ext+ and ext- exchanged
   float constant = 0.0F;
   Vec2 direction;  ///< of the target's flow at the centre
+  /// Weight of the directions, which are in `value`; filled only where DistanceWeights::dir is not
+  /// 0.
+  std::array<float, kPatchArea> directionWeight;
 };
 
 /// The patch distance of thesis §3.7 without its uniformity term:
@@ -36,6 +43,9 @@ struct TargetWindow {
 /// The colour terms are means over the window's pixels inside the target mask, respectively over
 /// those where T^prev exists. Where source and target flow roughly in opposite directions, tested
 /// once at the centres, the source's ext+ and ext- are exchanged (§3.5).
+/// Where `dir` is not 0, that times the mean of |tan(S^dir + theta - T^dir)| over the window's
+/// pixels inside the target mask is added (P§3.2): |cross / dot| of the directions, at most
+/// kLargestMisalignment; 0 where the exemplar has no material and so no direction.
 class PatchDistance {
  public:
   PatchDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
@@ -52,6 +62,9 @@ class PatchDistance {
                                  float stopAt) const;
 
  private:
+  template <bool kDirected>
+  [[nodiscard]] float compare(const TargetWindow& window, const Match& match, float stopAt) const;
+
   const ExemplarLevel& exemplar_;
   const TargetLevel& target_;
   DistanceWeights weights_;

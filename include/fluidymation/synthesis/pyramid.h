@@ -30,6 +30,10 @@ struct GuideLevel {
   Image<float> extBackward;  ///< ext-, px
   Image<Vec2> flow;          ///< px per frame
   Image<Vec2> direction;     ///< unit vectors inside the mask
+  Image<float> shape;        ///< GuideFrame::shape; empty unless it was asked for
+
+  /// Whether the distances are the stand-ins of a mask without an edge.
+  [[nodiscard]] bool edgeless() const;
 
   [[nodiscard]] Segment segment(int x, int y, float borderWidthPx) const {
     if (mask(x, y) == 0) return Segment::kOutside;
@@ -39,10 +43,10 @@ struct GuideLevel {
 
 [[nodiscard]] GuideLevel finestLevel(const GuideFrame& frame);
 
-/// Next coarser level: distance is the mean of the 2x2 block; extents, flow and direction the mean
-/// over its inside pixels; the mask holds a block with any inside pixel, so that every inside pixel
-/// has an inside parent. Where the mean flow is slower than `kStillPxPerFrame` the direction is the
-/// mean of the directions, else that of the mean flow.
+/// Next coarser level: distance and shape are the mean of the 2x2 block; extents, flow and
+/// direction the mean over its inside pixels; the mask holds a block with any inside pixel, so that
+/// every inside pixel has an inside parent. Where the mean flow is slower than `kStillPxPerFrame`
+/// the direction is the mean of the directions, else that of the mean flow.
 [[nodiscard]] GuideLevel halve(const GuideLevel& fine);
 
 /// Next coarser level of a picture: separable [1 3 3 1] / 8 centred on the 2x2 block; the edge of

@@ -5,6 +5,7 @@
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/options.h"
 #include "fluidymation/synthesis/channels.h"
 #include "fluidymation/synthesis/pyramid.h"
 
@@ -13,14 +14,15 @@ namespace fluidymation {
 /// One frame of the target on one pyramid level: the guides in the exemplar's units, the picture
 /// as it stands, and what the previous frame says. All images have the level's size.
 struct TargetLevel {
-  TargetLevel(const GuideLevel& guides, float borderWidthPx, const ExtentScale& extentScale = {});
+  TargetLevel(const GuideLevel& guides, float borderWidthPx, const ExtentScale& extentScale = {},
+              const ShapeRules& rules = {});
 
   Image<Segment> segment;
   Image<float> edge;         ///< Channel::kEdge
   Image<float> extForward;   ///< Channel::kExtForward
   Image<float> extBackward;  ///< Channel::kExtBackward
   Image<Vec2> direction;
-  Image<float> clampedDistancePx;  ///< min(distance, border width), for the temporal modulation
+  Image<float> modulationDistancePx;  ///< see `modulationDistances`
 
   Image<Lab> picture;       ///< T^rgb, in CIELAB; changes with every vote
   Image<Lab> previous;      ///< T^prev (§3.7)

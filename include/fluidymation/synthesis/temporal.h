@@ -31,11 +31,22 @@ namespace fluidymation {
 /// 0 for v <= 0, 1 for v >= 1, 3v^2 - 2v^3 between, with v = (x - l) / (u - l); l > u falls.
 [[nodiscard]] float smoothstep(float x, float l, float u);
 
+/// ModulationBounds in pixels.
+struct ModulationBoundsPx {
+  float upper = 0.0F;
+  float lower = 0.0F;
+};
+
+/// @param target  full-resolution size of its frames.
+[[nodiscard]] ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
+                                          Size target);
+
 /// Fills previous, hasPrevious and modulation of `target` from the shifted matches at its level:
 /// T^prev is their vote, m(q) = smoothstep(|T^dist - S^dist|, m_u, m_l) with both distances clamped
-/// at the border width (unclamped, coherence is lost deep inside every target that is thicker than
-/// the exemplar), 0 without match (§3.7).
-void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const ModulationBounds& bounds,
-                 const NearestNeighborField& shifted, TargetLevel& target);
+/// at the border width unless the level's ShapeRules say otherwise (unclamped, coherence is lost
+/// deep inside every target that is thicker than the exemplar), 0 without match (§3.7).
+void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
+                 const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
+                 TargetLevel& target);
 
 }  // namespace fluidymation

@@ -59,6 +59,21 @@ TEST(Resize, GrowingInterpolatesBetweenCentres) {
   EXPECT_NEAR(grown(3, 0), 1.0F, 1e-6F);
 }
 
+TEST(Resize, VectorsAreResampledByComponent) {
+  const Image<float> x = ramp(Size{9, 7});
+  Image<Vec2> vectors(x.size());
+  for (std::size_t i = 0; i < x.pixelCount(); ++i) vectors.data()[i] = {x.data()[i], -2.0F};
+  for (const Size size : {Size{4, 3}, Size{20, 11}, Size{9, 7}}) {
+    const Image<float> wanted = resize(x, size);
+    const Image<Vec2> resized = resize(vectors, size);
+    ASSERT_EQ(resized.size(), size);
+    for (std::size_t i = 0; i < wanted.pixelCount(); ++i) {
+      EXPECT_EQ(resized.data()[i].x, wanted.data()[i]);
+      EXPECT_NEAR(resized.data()[i].y, -2.0F, 1e-5F);
+    }
+  }
+}
+
 TEST(Resize, ScaledSizeIsNeverEmpty) {
   EXPECT_EQ(scaledSize({3, 400}, 0.01), (Size{1, 4}));
   EXPECT_EQ(scaledSize({1000, 800}, 0.5), (Size{500, 400}));

@@ -236,6 +236,97 @@ TEST(GuideStream, FramesWithoutAnEdgeDoNotLeakTheirStandInDistances) {
   }
 }
 
+std::vector<GuideFrame> guidesWith(const std::vector<Mask>& masks, const GuideOptions& options) {
+  GuideStream stream(
+      static_cast<int>(masks.size()),
+      [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options);
+  std::vector<GuideFrame> frames;
+  for (int i = 0; i < stream.frameCount(); ++i) frames.push_back(stream.next());
+  return frames;
+}
+
+TEST(GuideStream, FlowIsAveragedOverTheFramesThatHoldThePixel) {
+  std::vector<Mask> masks;
+  for (int i = 0; i < 9; ++i) masks.push_back(test::randomBlobs({40, 30}, 7));
+  for (int i = 0; i < 9; ++i) {
+    const Mask moving = test::disc({40, 30}, {8.0F + 3.0F * static_cast<float>(i), 15.0F}, 6.0F);
+    for (std::size_t p = 0; p < moving.pixelCount(); ++p) {
+      masks[static_cast<std::size_t>(i)].data()[p] |= moving.data()[p];
+    }
+  }
+  masks[7] = Mask(Size{40, 30});  // ends the window on both sides
+  GuideOptions options;
+  options.mask.blurSigmaPx = 0.0F;
+  options.timeBlurSigmaFrames = 0.0F;
+  const std::vector<GuideFrame> plain = guidesWith(masks, options);
+  options.flowBlurSigmaFrames = 1.5F;
+  const std::vector<GuideFrame> averaged = guidesWith(masks, options);
+  bool differs = false;
+  for (int i = 0; i < 7; ++i) {
+    for (int y = 0; y < 30; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        double weights = 0.0;
+        double sumX = 0.0;
+        double sumY = 0.0;
+        for (int j = std::max(i - 3, 0); j <= std::min(i + 3, 6); ++j) {
+          const GuideFrame& frame = plain[static_cast<std::size_t>(j)];
+          if (frame.mask(x, y) == 0) continue;
+          const double weight = std::exp(-0.5 * (j - i) * (j - i) / (1.5 * 1.5));
+          weights += weight;
+          sumX += weight * static_cast<double>(frame.flow(x, y).x);
+          sumY += weight * static_cast<double>(frame.flow(x, y).y);
+        }
+        const GuideFrame& frame = averaged[static_cast<std::size_t>(i)];
+        const bool inside = frame.mask(x, y) != 0;
+        ASSERT_NEAR(frame.flow(x, y).x, inside ? sumX / weights : 0.0, 1e-4) << i << x << ' ' << y;
+        ASSERT_NEAR(frame.flow(x, y).y, inside ? sumY / weights : 0.0, 1e-4) << i << x << ' ' << y;
+        const Vec2 change = frame.flow(x, y) - plain[static_cast<std::size_t>(i)].flow(x, y);
+        differs = differs || length(change) > 0.1F;
+      }
+    }
+  }
+  EXPECT_TRUE(differs);
+  EXPECT_EQ(largestLength(averaged[8].flow), 0.0F);  // alone: the empty frame is no neighbour
+}
+
+TEST(GuideStream, AGivenFlowIsTakenAsItIsInsideTheMasks) {
+  const std::vector<Mask> masks = growingDisc(5, 15.0F, 1.0F);
+  GuideOptions options;
+  options.mask.blurSigmaPx = 0.0F;
+  options.flowBlurSigmaFrames = 1.5F;
+  std::vector<int> asked;
+  GuideStream stream(
+      5, [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options,
+      [&](int i, const Mask& previousMask) {
+        asked.push_back(i);
+        EXPECT_TRUE(test::equalEverywhere(
+            i == 0 ? Mask(kSize) : masks[static_cast<std::size_t>(i - 1)].clone(), previousMask));
+        return Image<Vec2>(kSize, Vec2{static_cast<float>(i), -2.0F});
+      });
+  EXPECT_EQ(asked, (std::vector<int>{0, 1, 2, 3, 4}));
+  for (int i = 0; i < 5; ++i) {
+    const GuideFrame frame = stream.next();
+    expectSound(frame, masks[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(frame.flow(44, 40).x, static_cast<float>(i));
+    EXPECT_EQ(frame.flow(44, 40).y, -2.0F);
+    // 1 + 2 + ... so far, and what is still to come
+    EXPECT_FLOAT_EQ(frame.accForward(44, 40).x, static_cast<float>(i * (i + 1)) / 2.0F);
+    EXPECT_FLOAT_EQ(frame.accBackward(44, 40).x, 10.0F - static_cast<float>(i * (i + 1)) / 2.0F);
+  }
+}
+
+TEST(GuideStream, TheBlurredMaskComesWhereItIsAskedFor) {
+  const std::vector<Mask> masks = growingDisc(2, 15.0F, 1.0F);
+  GuideOptions options;
+  options.mask.blurSigmaPx = 0.0F;
+  for (const GuideFrame& frame : guidesWith(masks, options)) EXPECT_TRUE(frame.shape.empty());
+  options.shapeBlurRadiusPx = 9.0F;
+  const std::vector<GuideFrame> frames = guidesWith(masks, options);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(test::nearEverywhere(blurredMask(masks[i], 9.0F), frames[i].shape, 0.0F));
+  }
+}
+
 TEST(GuideStream, TheNumberOfThreadsDoesNotShow) {
   std::vector<Mask> masks;
   for (int i = 0; i < 3; ++i) {
@@ -243,6 +334,8 @@ TEST(GuideStream, TheNumberOfThreadsDoesNotShow) {
   }
   GuideOptions options;
   options.mask.blurSigmaPx = 3.0F;
+  options.flowBlurSigmaFrames = 1.0F;
+  options.shapeBlurRadiusPx = 20.0F;
   const int threadsBefore = omp_get_max_threads();
   std::vector<std::vector<GuideFrame>> results;
   for (const int threads : {1, 2, 5}) {
@@ -262,6 +355,7 @@ TEST(GuideStream, TheNumberOfThreadsDoesNotShow) {
       const GuideFrame& b = results[other][i];
       EXPECT_TRUE(sameBytes(a.mask, b.mask));
       EXPECT_TRUE(sameBytes(a.distance, b.distance));
+      EXPECT_TRUE(sameBytes(a.shape, b.shape));
       EXPECT_TRUE(sameBytes(a.flow, b.flow));
       EXPECT_TRUE(sameBytes(a.direction, b.direction));
       EXPECT_TRUE(sameBytes(a.accForward, b.accForward));

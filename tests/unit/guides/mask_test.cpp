@@ -64,6 +64,20 @@ TEST(SmoothMask, EmptyStaysEmptyAndFullStaysFull) {
   }
 }
 
+TEST(BlurredMask, IsAGaussianOfAThirdOfTheRadius) {
+  Mask half(Size{61, 5});
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 30; x < 61; ++x) half(x, y) = 255;  // any nonzero byte is inside
+  }
+  const Image<float> blurred = blurredMask(half, 12.0F);
+  for (int x = 0; x < 61; ++x) {
+    const double expected = 0.5 * std::erfc((29.5 - x) / (std::sqrt(2.0) * 4.0));
+    EXPECT_NEAR(blurred(x, 2), expected, 0.005) << x;
+  }
+  EXPECT_EQ(blurred(29 - 12, 2), 0.0F);      // the kernel ends
+  EXPECT_NEAR(blurred(60, 2), 1.0F, 1e-6F);  // no border where the frame cuts
+}
+
 TEST(PackedMask, UnpacksWhatWasPacked) {
   for (const Size size : {Size{1, 1}, Size{8, 8}, Size{63, 1}, Size{13, 5}, Size{65, 3}}) {
     const Mask mask = test::randomMask(size, 21, 50);

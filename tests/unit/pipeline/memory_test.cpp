@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/presets.h"
 #include "pipeline/inputs.h"
 #include "support/png_maker.h"
 #include "support/shapes.h"
@@ -37,6 +39,11 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.threads = 64; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.timeBlurSigmaFrames = 50.0F; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.largestStored = {4000, 4000}; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.flowBlurSigmaFrames = 50.0F; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.guide = ShapeGuide::kBlurredMask; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.hardSegments = false; }), bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.shape.modulation = ModulationDistance::kUnclamped; }),
+            bytes);
 }
 
 TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
@@ -90,6 +97,7 @@ struct FullMaskRun {
   Size target;
   int frames;
   MaskKind kind = MaskKind::kHard;
+  bool byThePaper = false;
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -124,15 +132,23 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     scene.write(test::SmallScene::frame("mask", number), pngOf(maskOf(run.kind, run.source)));
     scene.write(test::SmallScene::frame("target", number), pngOf(maskOf(run.kind, run.target)));
   }
-  const test::ProcessResult result = scene.paint({{"--blur-sigma", "0"},
-                                                  {"--opt-iterations", "0"},
-                                                  {"--patchmatch-iterations", "1"},
-                                                  {"--quiet", ""}});
+  const test::ProcessResult result =
+      scene.paint({{"--preset", run.byThePaper ? "paper" : "standard"},
+                   {"--blur-sigma", "0"},
+                   {"--opt-iterations", "0"},
+                   {"--patchmatch-iterations", "1"},
+                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
+  RunSize size{run.source, run.frames, run.target, run.frames, 1, 1.0F, largest};
+  if (run.byThePaper) {
+    Options paper;
+    applyPaperPreset(paper);
+    size.flowBlurSigmaFrames = paper.flowBlurSigmaFrames;
+    size.shape = paper.synthesis.shape;
+  }
   const std::int64_t estimate =
-      bytesOfRun({run.source, run.frames, run.target, run.frames, 1, 1.0F, largest}) +
-      bytesKept(maskOf(run.kind, run.target)) * run.frames;
+      bytesOfRun(size) + bytesKept(maskOf(run.kind, run.target)) * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
   if (run.kind == MaskKind::kDust) return;  // half of it is outside
@@ -144,12 +160,23 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
                       FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
                       FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, true},
+                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, true},
                       FullMaskRun{"target", {40, 40}, {600, 500}, 2},
                       FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
                       FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
                       FullMaskRun{"dustExemplar", {200, 150}, {40, 40}, 40, MaskKind::kDust},
                       FullMaskRun{"dustTarget", {40, 40}, {200, 150}, 30, MaskKind::kDust}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Memory, CountsTheReadingOfAGivenFlow) {
+  RunSize run{{40, 30}, 2, {50, 40}, 30, 2, 2.0F, {50, 40}};
+  run.targetFlow = {5000, 4000};  // scaled to 1 %
+  EXPECT_GT(bytesOfRun(run), 5000 * 4000 * 16);
+  EXPECT_LT(bytesOfRun(run), 5000 * 4000 * 40);
+  std::swap(run.exemplarFlow, run.targetFlow);
+  EXPECT_GT(bytesOfRun(run), 5000 * 4000 * 16);
+}
 
 TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(kMaxRunBytes), "6.0 GiB");

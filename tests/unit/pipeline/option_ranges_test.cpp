@@ -57,6 +57,36 @@ const std::vector<Fault>& faults() {
        [](Options& o) { o.maskThreshold = 0.6F; }},
       {"--time-blur-sigma 51: wanted a number in [0, 50]",
        [](Options& o) { o.timeBlurSigmaFrames = 51.0F; }},
+      {"--src-flow-path: f.flo: ", [](Options& o) { o.sourceFlowPath = "f.flo"; }},
+      {"--target-flow-path: the path is empty", [](Options& o) { o.targetFlowPath = ""; }},
+      {"--target-speed -2: wanted 1 or -1 with --target-flow-path, whose files lead from one frame "
+       "to the next",
+       [](Options& o) {
+         o.targetFlowPath = "f/%d.flo";
+         o.target.speed = -2;
+       }},
+      {"--src-speed 3: wanted 1 or -1 with --src-flow-path, ",
+       [](Options& o) {
+         o.sourceFlowPath = "f/%d.flo";
+         o.source.speed = 3;
+       }},
+      {"--flow-convention forward: wanted with --src-flow-path or --target-flow-path only",
+       [](Options& o) { o.flowConvention = FlowConvention::kForward; }},
+      {"--motion-model rigid: not wanted with --target-flow-path, which tells how things move",
+       [](Options& o) {
+         o.targetFlowPath = "f/%d.flo";
+         o.motionModel = MotionModel::kRigidParts;
+       }},
+      {"--flow-blur-sigma nan: ", [](Options& o) { o.flowBlurSigmaFrames = kNan; }},
+      {"--dir-weight inf: ", [](Options& o) { o.synthesis.dirWeight = kInfinity; }},
+      {"--prev-modulation-bounds 0.1,0.2: wanted m_u greater than m_l",
+       [](Options& o) {
+         o.synthesis.prevModulation = {0.1F, 0.2F, ModulationUnit::kTargetSides};
+       }},
+      {"--prev-modulation-bounds 80: wanted a number in [0, 10]",
+       [](Options& o) {
+         o.synthesis.prevModulation = {80.0F, 2.0F, ModulationUnit::kBorderWidths};
+       }},
       {"--dist-weight nan: ", [](Options& o) { o.synthesis.distWeight = kNan; }},
       {"--flow-weight inf: ", [](Options& o) { o.synthesis.flowWeight = kInfinity; }},
       {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},
@@ -65,11 +95,11 @@ const std::vector<Fault>& faults() {
        [](Options& o) { o.borderWidthPx = 0.05F; }},
       {"--prev-modulation-bounds 2,2: wanted m_u greater than m_l",
        [](Options& o) {
-         o.synthesis.prevModulation = ModulationBounds{2.0F, 2.0F};
+         o.synthesis.prevModulation = {2.0F, 2.0F, ModulationUnit::kPixels};
        }},
       {"--prev-modulation-bounds nan: ",
        [](Options& o) {
-         o.synthesis.prevModulation = ModulationBounds{10.0F, kNan};
+         o.synthesis.prevModulation = {10.0F, kNan, ModulationUnit::kPixels};
        }},
       {"--occ-radius -1: ", [](Options& o) { o.synthesis.occRadiusFrames = -1; }},
       {"--patchmatch-alpha 1: wanted a number in (0, 0.99]",

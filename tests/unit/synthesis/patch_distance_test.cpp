@@ -33,7 +33,19 @@ double slowSample(const ExemplarLevel& level, int frame, double x, double y, int
          fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
 }
 
-/// Thesis §3.7 term by term in double precision: no blending, no swapped windows, no early stop.
+/// P§3.2 by angles: |tan(S^dir + theta - T^dir)|, at most 10; 0 where the source has no direction.
+double slowMisalignment(double sx, double sy, const Rotation& rotation, Vec2 target) {
+  if (sx == 0.0 && sy == 0.0) return 0.0;
+  const double sourceAngle = std::atan2(sy, sx);
+  const double theta =
+      std::atan2(static_cast<double>(rotation.sine), static_cast<double>(rotation.cosine));
+  const double targetAngle =
+      std::atan2(static_cast<double>(target.y), static_cast<double>(target.x));
+  return std::min(std::abs(std::tan(sourceAngle + theta - targetAngle)), 10.0);
+}
+
+/// Thesis §3.7 and P§3.2 term by term in double precision: no blending, no swapped windows, no
+/// early stop.
 double slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
                     const DistanceWeights& w, int x, int y, const Match& match) {
   const double c = match.rotation.cosine;
@@ -42,6 +54,7 @@ double slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
   const Vec2 turned = match.rotation.apply(sourceDirection);
   const bool opposite = dot(turned, target.direction(x, y)) < 0.0F;
   double color = 0.0;
+  double directions = 0.0;
   double previous = 0.0;
   double guides = 0.0;
   int colored = 0;
@@ -61,6 +74,8 @@ double slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
       };
       if (target.segment.contains(qx, qy) && target.inside(qx, qy)) {
         color += toColor(target.picture(qx, qy));
+        directions += slowMisalignment(sample(kDirectionX), sample(kDirectionY), match.rotation,
+                                       target.direction(qx, qy));
         ++colored;
       }
       if (target.segment.contains(qx, qy) && target.hasPrevious(qx, qy) != 0) {
@@ -74,7 +89,7 @@ double slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
                           square(backward - target.extBackward.clamped(qx, qy)));
     }
   }
-  double sum = w.color * color / colored + guides / 25.0;
+  double sum = w.color * color / colored + guides / 25.0 + w.dir * directions / colored;
   if (remembered > 0) sum += target.modulation(x, y) * w.prev * previous / remembered;
   return sum;
 }
@@ -127,12 +142,53 @@ TEST_F(PatchDistanceTest, EqualsASlowDoublePrecisionTwin) {
   EXPECT_GT(compared, 500);
 }
 
+TEST_F(PatchDistanceTest, TheDirectionTermEqualsASlowDoublePrecisionTwin) {
+  const DistanceWeights onlyDirections{0.0F, 0.0F, 0.0F, 0.0F, 1.0F};
+  weights_.dir = 1.5F;
+  Random random({17, 0, 0, 0, 0, 0});
+  TargetWindow window;
+  int compared = 0;
+  for (const DistanceWeights& weights : {onlyDirections, weights_}) {
+    const PatchDistance distance(exemplar_.level(0), target_, weights);
+    for (int i = 0; i < 2000; ++i) {
+      const int x = random.uniform(0, 47);
+      const int y = random.uniform(0, 39);
+      const Match match = randomMatch(random);
+      if (!target_.inside(x, y)) continue;
+      distance.gather(x, y, window);
+      const double slow = slowDistance(exemplar_.level(0), target_, weights, x, y, match);
+      // Near 84.3 degrees, where the clamp begins, tan multiplies the angle's rounding by 100
+      ASSERT_NEAR(distance(window, match, kNever), slow, 3e-4 * slow + 1e-4)
+          << "pixel " << x << ", " << y << "; match " << match.x << ", " << match.y;
+      compared += slow > 0.1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST_F(PatchDistanceTest, DirectionsCostNothingAlongAndAgainstAndMostAcross) {
+  const DistanceWeights onlyDirections{0.0F, 0.0F, 0.0F, 0.0F, 2.0F};
+  target_.direction = Image<Vec2>(disc_.size, Vec2{0.0F, 1.0F});
+  // All directions of the exemplar's window are nearly (1, 0), far right of the disc's centre
+  const auto cost = [&](Vec2 rotation) {
+    const PatchDistance distance(exemplar_.level(0), target_, onlyDirections);
+    TargetWindow window;
+    distance.gather(20, 12, window);
+    return distance(window, {38.0F, 12.0F, 7, Rotation{rotation.x, rotation.y}}, kNever);
+  };
+  EXPECT_LT(cost({0.0F, 1.0F}), 0.2F);
+  EXPECT_LT(cost({0.0F, -1.0F}), 0.2F);
+  EXPECT_NEAR(cost({std::sqrt(0.5F), std::sqrt(0.5F)}), 2.0F, 0.1F);  // tan 45 degrees
+  EXPECT_GT(cost({1.0F, 0.0F}), 0.9F * 2.0F * kLargestMisalignment);
+  EXPECT_LE(cost({1.0F, 0.0F}), 1.001F * 2.0F * kLargestMisalignment);
+}
+
 TEST_F(PatchDistanceTest, EveryWeightSwitchesItsTermOff) {
   Random random({15, 0, 0, 0, 0, 0});
   const Match match = randomMatch(random);
   for (const DistanceWeights& weights :
        {DistanceWeights{1, 0, 0, 0}, DistanceWeights{0, 5, 0, 0}, DistanceWeights{0, 0, 0.1F, 0},
-        DistanceWeights{0, 0, 0, 1}}) {
+        DistanceWeights{0, 0, 0, 1}, DistanceWeights{0, 0, 0, 0, 1}}) {
     const PatchDistance distance(exemplar_.level(0), target_, weights);
     TargetWindow window;
     distance.gather(20, 20, window);

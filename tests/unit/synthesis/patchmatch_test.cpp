@@ -366,5 +366,35 @@ TEST_F(PatchMatchTest, WithoutInteriorInTheExemplarAnyMaskPixelServes) {
   EXPECT_TRUE(std::isfinite(matchErrors(problem, weights_, nnf)(45, 40)));
 }
 
+TEST_F(PatchMatchTest, MatchesCrossBetweenSegmentsThatAreNotHard) {
+  const ShapeRules rules{ShapeGuide::kEdgeDistance, false, ModulationDistance::kClamped};
+  const Exemplar exemplar = test::discExemplar(sourceDisc_, 0, kBorderWidthPx, 20, rules);
+  const ExemplarLevel& level = exemplar.level(0);
+  ASSERT_TRUE(level.segmented());
+  EXPECT_EQ(level.candidates(Segment::kBorder).size(), level.candidates(Segment::kInterior).size());
+  EXPECT_EQ(level.candidates(Segment::kBorder).size(),
+            level.pixelsOf(Segment::kBorder).size() + level.pixelsOf(Segment::kInterior).size());
+  // What uniform use means is still told for each segment by itself, as in P§3.5
+  const ExpectedUse expectedUse(level, 10);
+  for (const Segment segment : {Segment::kBorder, Segment::kInterior}) {
+    EXPECT_EQ(expectedUse.best(target_, segment), expectedUse_.best(target_, segment));
+  }
+  const SearchProblem problem{level, expectedUse, target_, options_, Place{3, 1}};
+  NearestNeighborField nnf(target_.size());
+  repair(problem, -1, nnf);
+  findNearestNeighbors(problem, {1.0F, 0.0F, 0.1F, 1.0F}, 2, 0, nnf);
+  int crossed = 0;
+  for (int y = 0; y < nnf.height(); ++y) {
+    for (int x = 0; x < nnf.width(); ++x) {
+      if (!target_.inside(x, y)) continue;
+      const Match& match = nnf(x, y);
+      const Segment found = level.segment(match.nearestX(), match.nearestY(), match.frame);
+      ASSERT_NE(found, Segment::kOutside);
+      crossed += found != target_.segment(x, y) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(crossed, 100);
+}
+
 }  // namespace
 }  // namespace fluidymation

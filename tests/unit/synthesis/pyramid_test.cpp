@@ -54,6 +54,27 @@ TEST(Pyramid, DistanceIsTheBlockMeanAndMotionTheMeanOfInsidePixels) {
   EXPECT_EQ(coarse.mask(1, 0), 0);
 }
 
+TEST(Pyramid, ShapeIsTheBlockMeanAlsoOutsideTheMask) {
+  GuideFrame frame = test::GrowingDisc{Size{3, 2}, {0, 0}, 1, 1, 1}.guides(0);
+  EXPECT_TRUE(halve(finestLevel(frame)).shape.empty());
+  frame.mask = Mask(Size{3, 2});
+  frame.shape = Image<float>(Size{3, 2});
+  float value = 1.0F;
+  for (float& s : frame.shape) s = value++;  // 1 2 3 / 4 5 6
+  const GuideLevel coarse = halve(finestLevel(frame));
+  EXPECT_FLOAT_EQ(coarse.shape(0, 0), 3.0F);
+  EXPECT_FLOAT_EQ(coarse.shape(1, 0), 4.5F);
+}
+
+TEST(Pyramid, LevelsKnowWhereDistancesAreStandIns) {
+  GuideLevel level = finestLevel(test::GrowingDisc{}.guides(3));
+  EXPECT_FALSE(level.edgeless());
+  EXPECT_FALSE(halve(level).edgeless());
+  level.distance = Image<float>(level.distance.size(), 88.0F);
+  EXPECT_TRUE(level.edgeless());
+  EXPECT_TRUE(halve(level).edgeless());
+}
+
 TEST(Pyramid, DirectionsHaveUnitLengthInsideOnEveryLevel) {
   GuideLevel level = finestLevel(test::GrowingDisc{}.guides(3));
   for (int l = 0; l < 3; ++l) {

@@ -23,7 +23,7 @@ SynthesisOptions smallOptions() {
   Options thesis;
   applyThesisPreset(thesis);  // what the standard look changes has tests of its own
   SynthesisOptions options = thesis.synthesis;
-  options.prevModulation = ModulationBounds{5.0F, 1.0F};
+  options.prevModulation = {5.0F, 1.0F, ModulationUnit::kPixels};
   return options;
 }
 
@@ -358,7 +358,7 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   differs("occ-radius", [](SynthesisOptions& o) { o.occRadiusFrames = 0; });
   differs("patchmatch-alpha", [](SynthesisOptions& o) { o.patchmatchAlpha = 0.5F; });
   differs("prev-modulation-bounds", [](SynthesisOptions& o) {
-    o.prevModulation = ModulationBounds{0.5F, 0.0F};
+    o.prevModulation = {0.5F, 0.0F, ModulationUnit::kPixels};
   });
   differs("patchmatch-iterations", [](SynthesisOptions& o) { o.patchmatchIterations = {1}; });
   differs("opt-iterations", [](SynthesisOptions& o) { o.optIterations = {1}; });

@@ -38,7 +38,8 @@ class Shift : public ::testing::Test {
                       Image<Vec2>(one, Vec2{1.0F, 0.0F}),
                       Image<Vec2>(one),
                       Image<Vec2>(one),
-                      SolveReport{}};
+                      SolveReport{},
+                      {}};
     // The exemplar flows to the right at (28, 20); turned by pi it runs against the target.
     const Rotation rotation = opposite ? Rotation{-1.0F, 0.0F} : Rotation{};
     const NearestNeighborField previous(one, Match{28.0F, 20.0F, startFrame, rotation});
@@ -79,7 +80,8 @@ TEST_F(Shift, TheWalkStopsWhereThePlaceLeavesTheMask) {
                     Image<Vec2>(one, Vec2{1.0F, 0.0F}),
                     Image<Vec2>(one),
                     Image<Vec2>(one),
-                    SolveReport{}};
+                    SolveReport{},
+                    {}};
   const NearestNeighborField previous(one, Match{34.0F, 20.0F, 8, Rotation{-1.0F, 0.0F}});
   EXPECT_EQ(shift(exemplar_, target, previous)(0, 0).frame, 5);
 }
@@ -87,7 +89,7 @@ TEST_F(Shift, TheWalkStopsWhereThePlaceLeavesTheMask) {
 TEST_F(Shift, PixelsOutsideTheNewMaskAndPixelsWithoutMatchGetNone) {
   const Size two{2, 1};
   GuideFrame target{Mask(two),        Image<float>(two), Image<Vec2>(two), Image<Vec2>(two),
-                    Image<Vec2>(two), Image<Vec2>(two),  SolveReport{}};
+                    Image<Vec2>(two), Image<Vec2>(two),  SolveReport{},    {}};
   target.mask(1, 0) = 1;
   NearestNeighborField previous(two);
   previous(0, 0) = {28.0F, 20.0F, 2, Rotation{}};
@@ -107,7 +109,8 @@ class CarriedMotion : public Shift {
                       Image<Vec2>(one, Vec2{1.0F, 0.0F}),
                       Image<Vec2>(one),
                       Image<Vec2>(one),
-                      SolveReport{}};
+                      SolveReport{},
+                      {}};
     NearestNeighborField nnf(one, Match{28.0F, 20.0F, 2, Rotation{}});
     for (int i = 0; i < steps; ++i) nnf = shift(exemplar_, target, nnf, owed);
     return nnf(0, 0).frame;
@@ -135,7 +138,7 @@ TEST_F(CarriedMotion, AHoldStaysStill) {
   GuideFrame still{Mask(one, 1),     Image<float>(one, 5.0F),
                    Image<Vec2>(one), Image<Vec2>(one, Vec2{1.0F, 0.0F}),
                    Image<Vec2>(one), Image<Vec2>(one),
-                   SolveReport{}};
+                   SolveReport{},    {}};
   NearestNeighborField nnf(one, Match{28.0F, 20.0F, before, Rotation{}});
   for (int i = 0; i < 20; ++i) nnf = shift(exemplar_, still, nnf, &owed);
   EXPECT_EQ(nnf(0, 0).frame, before);
@@ -164,6 +167,59 @@ TEST(SetPrevious, ModulationComparesClampedDistances) {
   EXPECT_EQ(target.modulation(20, 20), 0.0F);                                  // no match
   EXPECT_EQ(target.hasPrevious(24, 20), 1);
   EXPECT_EQ(target.hasPrevious(14, 20), 0);
+}
+
+/// As above, where the distances count in full: 16 and 14 px are 2 px apart, 16 and 6 px 10.
+TEST(SetPrevious, ModulationComparesFullDistancesWhereTheRulesSaySo) {
+  const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
+  constexpr float kBorderWidthPx = 5.0F;
+  for (const ShapeGuide guide : {ShapeGuide::kEdgeDistance, ShapeGuide::kBlurredMask}) {
+    for (const bool clamped : {false, true}) {
+      const ShapeRules rules{
+          guide, true, clamped ? ModulationDistance::kClamped : ModulationDistance::kUnclamped};
+      const Exemplar exemplar = test::discExemplar(disc, 0, kBorderWidthPx, 1, rules);
+      GuideFrame guides = disc.guides(0);
+      guides.shape = Image<float>(disc.size);
+      TargetLevel target(finestLevel(guides), kBorderWidthPx, {}, rules);
+      NearestNeighborField shifted(disc.size);
+      shifted(24, 20) = {34.0F, 20.0F, 0, Rotation{}};  // 16 and 6 px deep: 10 px apart
+      shifted(26, 20) = {28.0F, 20.0F, 0, Rotation{}};  // 14 and 12 px deep
+      shifted(37, 20) = {24.0F, 20.0F, 0, Rotation{}};  // 3 and 16 px deep: 13 px apart, or 2
+      setPrevious(exemplar.level(0), kBorderWidthPx, {10.0F, 2.0F}, shifted, target);
+      EXPECT_EQ(target.modulation(24, 20), clamped ? 1.0F : 0.0F);
+      EXPECT_EQ(target.modulation(26, 20), 1.0F);
+      EXPECT_EQ(target.modulation(37, 20), clamped ? 1.0F : 0.0F);
+    }
+  }
+}
+
+TEST(SetPrevious, AStandInOfAShapeWithoutEdgeIsComparedUpToTheBorderWidth) {
+  constexpr float kBorderWidthPx = 5.0F;
+  const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
+  const ShapeRules rules{ShapeGuide::kEdgeDistance, true, ModulationDistance::kUnclamped};
+  const Exemplar exemplar = test::discExemplar(disc, 0, kBorderWidthPx, 1, rules);
+  GuideFrame full = disc.guides(0);
+  full.mask = Mask(disc.size, 1);
+  full.distance = Image<float>(disc.size, 88.0F);
+  TargetLevel target(finestLevel(full), kBorderWidthPx, {}, rules);
+  NearestNeighborField shifted(disc.size);
+  shifted(24, 20) = {24.0F, 20.0F, 0, Rotation{}};  // inside is inside, however deep
+  shifted(30, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 2 px deep: 3 px apart
+  setPrevious(exemplar.level(0), kBorderWidthPx, {4.0F, 2.0F}, shifted, target);
+  EXPECT_EQ(target.modulation(24, 20), 1.0F);
+  EXPECT_NEAR(target.modulation(30, 20), 0.5F, 1e-5F);
+}
+
+TEST(ModulationBoundsInPixels, AreMultiplesOfTheirUnit) {
+  const ModulationBoundsPx px = inPixels({10.0F, 2.0F, ModulationUnit::kPixels}, 5.0F, {800, 500});
+  EXPECT_EQ(px.upper, 10.0F);
+  EXPECT_EQ(px.lower, 2.0F);
+  const ModulationBounds widths{0.7F, 0.15F, ModulationUnit::kBorderWidths};
+  EXPECT_FLOAT_EQ(inPixels(widths, 20.0F, {800, 500}).upper, 14.0F);
+  EXPECT_FLOAT_EQ(inPixels(widths, 20.0F, {800, 500}).lower, 3.0F);
+  const ModulationBounds sides{0.1F, 0.01F, ModulationUnit::kTargetSides};
+  EXPECT_FLOAT_EQ(inPixels(sides, 20.0F, {800, 500}).upper, 80.0F);
+  EXPECT_FLOAT_EQ(inPixels(sides, 20.0F, {500, 800}).lower, 8.0F);
 }
 
 }  // namespace
