@@ -44,12 +44,11 @@ enum class ModulationUnit {
   kTargetSides,  ///< the larger side of the target's frames, the paper's d
 };
 
-/// Distance bounds of the temporal modulation; §3.7, P§3.4. As multiples of the border width those
-/// of the thesis are 1 and 0.2. They let a rim keep colours of a depth that it has left: the edge
-/// colour profile is half a dE worse than with these (docs/quality.md).
+/// Distance bounds of the temporal modulation; §3.7, P§3.4. These are those of the thesis, which go
+/// with a border of 10 px.
 struct ModulationBounds {
-  float upper = 0.7F;   ///< m_u: from here on the previous frame does not count
-  float lower = 0.15F;  ///< m_l: up to here it counts in full
+  float upper = 1.0F;  ///< m_u: from here on the previous frame does not count
+  float lower = 0.2F;  ///< m_l: up to here it counts in full
   ModulationUnit unit = ModulationUnit::kBorderWidths;
 };
 
@@ -76,14 +75,15 @@ struct ShapeRules {
 enum class Interpolation {
   kBilinear,  ///< the thesis'; softens whatever is not turned by a multiple of 90 degrees
   kCubic,     ///< Catmull-Rom, 4 x 4 pixels
+  kLanczos,   ///< Lanczos' windowed sinc, 6 x 6 pixels: keeps fine detail best
 };
 
 /// How the windows that cover a pixel of the painted picture are averaged; §2.1.2. The votes within
 /// the optimization are plain bilinear means always, and so is this one in the thesis.
 struct VoteOptions {
   /// Gaussian weight of a window by the distance of its centre along x and y, px; 0: all alike.
-  float sigmaPx = 0.5F;
-  Interpolation interpolation = Interpolation::kCubic;
+  float sigmaPx = 0.35F;
+  Interpolation interpolation = Interpolation::kLanczos;
 };
 
 /// In what units the motion extents of exemplar and target are compared; §3.5.
@@ -98,6 +98,14 @@ enum class ThinParts {
   kBody,    ///< by the distance relative to the part's own thickness
 };
 
+/// What happens on the finest level; coarser ones are always searched.
+enum class FinestLevel {
+  kUpscaled,  ///< the thesis': matches of the next coarser level, enlarged; §4.4.3
+  kRefined,   ///< of these and the previous frame's full-resolution matches the better ones, then
+              ///< one sweep that tries those of their neighbours
+  kSearched,  ///< likewise, and the sweep searches at random too: calmest, and half as fast
+};
+
 struct SynthesisOptions {
   float distWeight = 5.0F;        ///< edge or shape guide; §3.4, P§3.1
   float flowWeight = 0.1F;        ///< motion extent guides; §3.5
@@ -106,9 +114,9 @@ struct SynthesisOptions {
   float lambda = 2.0F;            ///< spatial uniformity; §2.5, §3.3
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
   float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3
-  /// What `distWeight` is multiplied by, a channel scale. Twice the thesis preset's brings the edge
-  /// colour profile from 4.7 to 4.1 dE (docs/quality.md).
-  float edgeGain = 2.0F;
+  /// What `distWeight` is multiplied by, a channel scale. More than the thesis preset's 1 keeps the
+  /// film's colours at the rim (docs/quality.md).
+  float edgeGain = 3.0F;
   ShapeRules shape;
   ModulationBounds prevModulation;
   ThinParts thinParts = ThinParts::kBody;
@@ -116,6 +124,9 @@ struct SynthesisOptions {
   /// later; in the thesis it is lost, and targets slower than half the exemplar's speed freeze.
   bool carriesMotion = true;
   ExtentUnit extentUnit = ExtentUnit::kExemplar;
+  /// What stays keeps its matches to the pixel, where enlarging draws them anew in blocks of 2x2 in
+  /// every frame: the surface stays put, fronts move with the material (docs/quality.md).
+  FinestLevel finestLevel = FinestLevel::kRefined;
   VoteOptions paintedVote;
   /// Iterations per level, coarsest first, the last value repeats. Defaults of §4.5 (the table of
   /// §4.4.3 has 4, 2, 1 for the optimization).

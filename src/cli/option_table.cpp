@@ -343,16 +343,29 @@ void addSynthesis(Table& table) {
       "--opt-iterations", kSynthesis, "search and vote per level, coarsest first, the last repeats",
       ranges::kOptIterations, "thesis §4.5",
       [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.optIterations; });
+  table.word<FinestLevel>("--finest-level", kSynthesis,
+                          "refined: full-resolution matches of the last frame and of\n"
+                          "neighbours are taken where they are better; searched: others\n"
+                          "are looked for too, calmer but slow; upscaled: all come from\n"
+                          "the next coarser level",
+                          {{"upscaled", FinestLevel::kUpscaled},
+                           {"refined", FinestLevel::kRefined},
+                           {"searched", FinestLevel::kSearched}},
+                          "thesis §4.4.3: upscaled", [](CommandLine& c) -> FinestLevel& {
+                            return c.options.synthesis.finestLevel;
+                          });
   table.real("--vote-sigma", kSynthesis,
              "painted pixels trust windows this close most; 0: all alike", "px",
              ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.sigmaPx; });
-  table.word<Interpolation>(
-      "--vote-interpolation", kSynthesis, "bilinear or cubic: reads the film between its pixels",
-      {{"bilinear", Interpolation::kBilinear}, {"cubic", Interpolation::kCubic}},
-      "thesis §4.4.1: bilinear", [](CommandLine& c) -> Interpolation& {
-        return c.options.synthesis.paintedVote.interpolation;
-      });
+  table.word<Interpolation>("--vote-interpolation", kSynthesis,
+                            "how the film is read between its pixels, softest first",
+                            {{"bilinear", Interpolation::kBilinear},
+                             {"cubic", Interpolation::kCubic},
+                             {"lanczos", Interpolation::kLanczos}},
+                            "thesis §4.4.1: bilinear", [](CommandLine& c) -> Interpolation& {
+                              return c.options.synthesis.paintedVote.interpolation;
+                            });
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),

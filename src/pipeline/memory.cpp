@@ -87,9 +87,10 @@ int tileCount(Size size) {
   return along(size.width) * along(size.height);
 }
 
-/// The maps of the search, which leaves the finest level out unless it is the only one.
+/// The maps of the search, which leaves the finest level out where it is only upscaled.
 double occurrenceBytes(const RunSize& run) {
-  const bool finestIsSearched = coarsestLevel(run.exemplar, run.target) == 0;
+  const bool finestIsSearched =
+      run.finestLevel != FinestLevel::kUpscaled || coarsestLevel(run.exemplar, run.target) == 0;
   const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
   const int workers = std::min(run.threads, tileCount(searched));
   return (finestIsSearched ? 1.0 : 0.25) * (kFilteredMapBytes + kMapBytes * workers);

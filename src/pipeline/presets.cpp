@@ -26,6 +26,7 @@ void applyThesisPreset(Options& options) {
   synthesis.thinParts = ThinParts::kFringe;
   synthesis.carriesMotion = false;
   synthesis.extentUnit = ExtentUnit::kPixels;
+  synthesis.finestLevel = FinestLevel::kUpscaled;
   synthesis.paintedVote = {0.0F, Interpolation::kBilinear};
 }
 

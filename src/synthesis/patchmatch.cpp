@@ -93,7 +93,7 @@ class TileSweep {
         errors_(errors) {}
 
   /// Visits every pixel once, in row order or, on odd passes, in the opposite order.
-  void run(int pass) {
+  void run(int pass, Candidates candidates) {
     const int step = pass % 2 == 0 ? 1 : -1;
     const int firstY = step > 0 ? tile_.top : tile_.bottom - 1;
     const int firstX = step > 0 ? tile_.left : tile_.right - 1;
@@ -103,7 +103,7 @@ class TileSweep {
         visit(x, y);
         propagate(x, y, x - step, y);
         propagate(x, y, x, y - step);
-        searchAtRandom(x, y, pass);
+        if (candidates == Candidates::kAll) searchAtRandom(x, y, pass);
         keepBest(x, y);
       }
     }
@@ -314,7 +314,8 @@ Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& we
 }
 
 void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
-                          int iterations, int firstPass, NearestNeighborField& nnf) {
+                          int iterations, int firstPass, NearestNeighborField& nnf,
+                          Candidates candidates) {
   const PatchDistance distance(problem.exemplar, problem.target, weights);
   const UniformityScale uniformity(problem);
   const std::vector<Tile> tiles = occupiedTiles(problem.target);
@@ -336,7 +337,7 @@ void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& w
           TileSweep(problem, distance, uniformity, before, occurrence,
                     ownChanges[static_cast<std::size_t>(threadIndex())],
                     tiles[static_cast<std::size_t>(t)], nnf, errors)
-              .run(firstPass + i);
+              .run(firstPass + i, candidates);
         },
         workers);
   }

@@ -44,7 +44,7 @@ Mask paintedPixels(const GuideFrame& frame) {
 
 Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options)
     : exemplar_(exemplar), options_(options) {
-  for (int l = finestSearched(); l < exemplar.levelCount(); ++l) {
+  for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
 }
@@ -69,8 +69,8 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
     for (int l = coarsest; l >= 0; --l) {
       TargetLevel target(guides[static_cast<std::size_t>(l)], exemplar_.level(0).borderWidthPx(),
                          exemplar_.extentScale(), options_.shape);
-      nnf = l < finestSearched() ? upscale(nnf, target.segment)
-                                 : optimizedField(l, nnf, shifted, fresh, target);
+      nnf = l < finestOptimized() ? upscale(nnf, target.segment)
+                                  : optimizedField(l, nnf, shifted, fresh, target);
       if (l == 0) {
         picture =
             paintedVote(exemplar_.level(l), paintedPixels(frame), nnf, options_.paintedVote).color;
@@ -82,21 +82,34 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   return picture;
 }
 
+LevelIterations Synthesizer::iterations(int level) const {
+  const int coarsest = exemplar_.levelCount() - 1;
+  if (level == 0 && coarsest > 0) {
+    // One sweep: the field is almost settled by then, and the finest level has three times as many
+    // pixels as all others together. Every other frame goes the other way, so that no direction is
+    // preferred.
+    const bool searched = options_.finestLevel == FinestLevel::kSearched;
+    return {1, 1, searched ? Candidates::kAll : Candidates::kNeighbors, frame_ % 2};
+  }
+  return {valueAt(options_.optIterations, level, coarsest),
+          valueAt(options_.patchmatchIterations, level, coarsest)};
+}
+
 NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighborField& coarser,
                                                  const NearestNeighborField& shifted, bool fresh,
                                                  TargetLevel& target) const {
   const ExemplarLevel& exemplar = exemplar_.level(level);
   const SearchProblem problem{exemplar,
-                              expectedUse_[static_cast<std::size_t>(level - finestSearched())],
+                              expectedUse_[static_cast<std::size_t>(level - finestOptimized())],
                               target, options_, Place{frame_, level}};
   const int coarsest = exemplar_.levelCount() - 1;
-  const int searchIterations = valueAt(options_.patchmatchIterations, level, coarsest);
+  const LevelIterations count = iterations(level);
   const DistanceWeights weights{1.0F, options_.edgeGain * options_.distWeight, options_.flowWeight,
                                 options_.prevWeight, options_.dirWeight};
-  int pass = 0;
+  int pass = count.firstPass;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
-    findNearestNeighbors(problem, w, searchIterations, pass, nnf);
-    pass += searchIterations;
+    findNearestNeighbors(problem, w, count.patchmatch, pass, nnf, count.candidates);
+    pass += count.patchmatch;
   };
 
   // Start from the previous frame, from the coarser level, or where both exist from the better one.
@@ -123,7 +136,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
 
   // Alternate search and vote; the picture and the field improve each other (§3.2).
   target.picture = vote(exemplar, target.segment, nnf).color;
-  for (int i = 0; i < valueAt(options_.optIterations, level, coarsest); ++i) {
+  for (int i = 0; i < count.optimization; ++i) {
     search(weights, nnf);
     target.picture = vote(exemplar, target.segment, nnf).color;
   }

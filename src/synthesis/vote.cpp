@@ -39,7 +39,7 @@ int nearestWindow(const NearestNeighborField& nnf, int x, int y) {
 template <typename Wanted, typename Reader, typename WeightOf>
 VotedPicture average(const NearestNeighborField& nnf, const Wanted& wanted, const Reader& read,
                      const WeightOf& weightOf) {
-  constexpr float kNoWeight = 1e-20F;  // what is left of windows far beyond a narrow Gaussian
+  constexpr float kNoWeight = 1e-3F;  // of the nearest window's: too little to be seen
   const Size size = nnf.size();
   VotedPicture picture{Image<Lab>(size), Mask(size)};
   forEachRow(size.height, [&](int y) {
@@ -53,10 +53,11 @@ VotedPicture average(const NearestNeighborField& nnf, const Wanted& wanted, cons
         sum += weight * read(here.frame, here.x, here.y);
         weights += weight;
       };
-      forEachWindow(nnf, x, y, [&](int nx, int ny) { add(nx, ny, weightOf(x - nx, y - ny)); });
-      if (weights < kNoWeight) {
-        sum = Float4{};
-        weights = 0.0F;
+      forEachWindow(nnf, x, y, [&](int nx, int ny) {
+        const float weight = weightOf(x - nx, y - ny);
+        if (weight >= kNoWeight) add(nx, ny, weight);
+      });
+      if (weights == 0.0F) {
         const int nearest = nearestWindow(nnf, x, y);
         forEachWindow(nnf, x, y, [&](int nx, int ny) {
           if ((x - nx) * (x - nx) + (y - ny) * (y - ny) == nearest) add(nx, ny, 1.0F);
@@ -94,6 +95,18 @@ class CubicReader {
   const ExemplarLevel& exemplar_;
 };
 
+class LanczosReader {
+ public:
+  explicit LanczosReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
+  [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
+    return sampleLanczos(kernel_, exemplar_.frame(frame), exemplar_.size(), x, y);
+  }
+
+ private:
+  const ExemplarLevel& exemplar_;
+  LanczosKernel kernel_;
+};
+
 /// Weights for distances 0..kPatchRadius along one axis; not normalized.
 std::array<float, kPatchRadius + 1> windowWeights(float sigmaPx) {
   std::array<float, kPatchRadius + 1> weights{};
@@ -121,10 +134,15 @@ VotedPicture paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
     return weights[static_cast<std::size_t>(std::abs(dx))] *
            weights[static_cast<std::size_t>(std::abs(dy))];
   };
-  if (options.interpolation == Interpolation::kCubic) {
-    return average(nnf, isWanted, CubicReader(exemplar), weightOf);
+  switch (options.interpolation) {
+    case Interpolation::kBilinear:
+      return average(nnf, isWanted, BilinearReader(exemplar), weightOf);
+    case Interpolation::kCubic:
+      return average(nnf, isWanted, CubicReader(exemplar), weightOf);
+    case Interpolation::kLanczos:
+      break;
   }
-  return average(nnf, isWanted, BilinearReader(exemplar), weightOf);
+  return average(nnf, isWanted, LanczosReader(exemplar), weightOf);
 }
 
 }  // namespace fluidymation

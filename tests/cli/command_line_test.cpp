@@ -119,6 +119,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--extent-unit", "px",
        [](C c) { return c.options.synthesis.extentUnit == ExtentUnit::kPixels; }},
       {"--carry-motion", "off", [](C c) { return !c.options.synthesis.carriesMotion; }},
+      {"--finest-level", "searched",
+       [](C c) { return c.options.synthesis.finestLevel == FinestLevel::kSearched; }},
       {"--vote-sigma", "1.5", [](C c) { return c.options.synthesis.paintedVote.sigmaPx == 1.5F; }},
       {"--vote-interpolation", "bilinear",
        [](C c) {
@@ -205,7 +207,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
   EXPECT_NE(standard.sigmaPx, 0.0F);
-  EXPECT_EQ(standard.interpolation, Interpolation::kCubic);
+  EXPECT_EQ(standard.interpolation, Interpolation::kLanczos);
   // Before or after it on the command line
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--vote-sigma", "2", "--lambda", "7", "--preset", "thesis"},
@@ -501,7 +503,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "(default 0.0125 sqrt(their mean area) px; in [0, 1000]",
                            "(default 0.3; in (0, 0.5]",
                            "(default 0.75; in (0, 0.99]",
-                           "(default 0.7 and 0.15 of the border width, px;",
+                           "(default 1 and 0.2 of the border width, px;",
                            "(default 6,4;",
                            "(default 4,3,2;",
                            "(default 50 frames; in [1, 1000000]",

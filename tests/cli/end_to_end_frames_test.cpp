@@ -255,7 +255,7 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--preset", "paper"},
       {"--shape-guide", "blurred"},
       {"--segments", "none"},
-      {"--dir-weight", "1"},
+      {"--dir-weight", "100"},
       {"--dist-weight", "0"},
       {"--flow-weight", "100"},
       {"--prev-weight", "0"},

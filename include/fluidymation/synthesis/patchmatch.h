@@ -44,6 +44,13 @@ void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf);
 /// level. A property of the picture: the number of threads must not show.
 inline constexpr int kTileSidePx = 64;
 
+/// What a sweep tries at a pixel.
+enum class Candidates {
+  kAll,        ///< the neighbours' matches, then some drawn at random; §2.2
+  kNeighbors,  ///< the neighbours' matches alone: settles what is nearly right at a tenth of the
+               ///< cost
+};
+
 /// findNNF: `iterations` sweeps of PatchMatch (thesis §2.2, §4.3, §4.4.2). All matches must be
 /// legal before; they are after.
 ///
@@ -53,6 +60,7 @@ inline constexpr int kTileSidePx = 64;
 /// @param firstPass  number of the first sweep within this level of this frame: every sweep has its
 ///   own random numbers, and the scan order alternates with it.
 void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
-                          int iterations, int firstPass, NearestNeighborField& nnf);
+                          int iterations, int firstPass, NearestNeighborField& nnf,
+                          Candidates candidates = Candidates::kAll);
 
 }  // namespace fluidymation

@@ -51,27 +51,82 @@ namespace fluidymation {
           ((-1.5F * t + 2.0F) * t + 0.5F) * t, (0.5F * t - 0.5F) * t * t};
 }
 
-/// L, a, b and edge of one exemplar frame at a real position, by cubic interpolation; the position
-/// is clamped to the image, whose edge repeats.
-[[nodiscard]] inline Float4 sampleCubic(const Lanes* frame, Size size, float x, float y) {
+/// L, a, b and edge of one exemplar frame at a real position: the weighted mean of kTaps x kTaps
+/// pixels, those of the left upper one at `first` from the position's own pixel. The position is
+/// clamped to the image, whose edge repeats. `weightsAt(t)` are the weights along one axis for a
+/// position t in [0, 1) behind a pixel.
+template <std::size_t kTaps, typename WeightsAt>
+[[nodiscard]] inline Float4 sampleSeparably(const Lanes* frame, Size size, float x, float y,
+                                            int first, const WeightsAt& weightsAt) {
   const float cx = std::clamp(x, 0.0F, static_cast<float>(size.width - 1));
   const float cy = std::clamp(y, 0.0F, static_cast<float>(size.height - 1));
   const int x0 = static_cast<int>(cx);
   const int y0 = static_cast<int>(cy);
-  const std::array<float, 4> wx = cubicWeights(cx - static_cast<float>(x0));
-  const std::array<float, 4> wy = cubicWeights(cy - static_cast<float>(y0));
+  const std::array<float, kTaps> wx = weightsAt(cx - static_cast<float>(x0));
+  const std::array<float, kTaps> wy = weightsAt(cy - static_cast<float>(y0));
   Float4 sum{};
-  for (int j = 0; j < 4; ++j) {
-    const int row = std::clamp(y0 + j - 1, 0, size.height - 1);
+  for (std::size_t j = 0; j < kTaps; ++j) {
+    const int row = std::clamp(y0 + first + static_cast<int>(j), 0, size.height - 1);
     const Lanes* pixels = frame + static_cast<std::ptrdiff_t>(row) * size.width;
     Float4 along{};
-    for (int i = 0; i < 4; ++i) {
-      const int column = std::clamp(x0 + i - 1, 0, size.width - 1);
-      along += wx[static_cast<std::size_t>(i)] * pixels[column].low;
+    for (std::size_t i = 0; i < kTaps; ++i) {
+      const int column = std::clamp(x0 + first + static_cast<int>(i), 0, size.width - 1);
+      along += wx[i] * pixels[column].low;
     }
-    sum += wy[static_cast<std::size_t>(j)] * along;
+    sum += wy[j] * along;
   }
   return sum;
+}
+
+/// See `sampleSeparably`; by cubic interpolation.
+[[nodiscard]] inline Float4 sampleCubic(const Lanes* frame, Size size, float x, float y) {
+  return sampleSeparably<4>(frame, size, x, y, -1, cubicWeights);
+}
+
+/// Weights of Lanczos' interpolation, sinc(d) sinc(d / 3) for pixels nearer than 3 (Duchon 1979),
+/// tabulated. They sum to 1.
+class LanczosKernel {
+ public:
+  static constexpr int kLobes = 3;
+  static constexpr std::size_t kTaps = 2 * kLobes;
+
+  LanczosKernel() {
+    for (std::size_t p = 0; p < weights_.size(); ++p) {
+      const double t = static_cast<double>(p) / kPhases;
+      std::array<double, kTaps> weight{};
+      double sum = 0.0;
+      for (std::size_t i = 0; i < kTaps; ++i) {
+        const double distance = static_cast<double>(i) - (kLobes - 1) - t;
+        weight[i] = sinc(distance) * sinc(distance / kLobes);
+        sum += weight[i];
+      }
+      for (std::size_t i = 0; i < kTaps; ++i) {
+        weights_[p][i] = static_cast<float>(weight[i] / sum);
+      }
+    }
+  }
+
+  /// For a position t in [0, 1] behind the third pixel, to 1/512 px.
+  [[nodiscard]] const std::array<float, kTaps>& operator()(float t) const {
+    return weights_[static_cast<std::size_t>(t * kPhases + 0.5F)];
+  }
+
+ private:
+  static constexpr int kPhases = 256;
+
+  static double sinc(double x) {
+    constexpr double kPi = 3.14159265358979323846;
+    return x == 0.0 ? 1.0 : std::sin(kPi * x) / (kPi * x);
+  }
+
+  std::array<std::array<float, kTaps>, kPhases + 1> weights_{};
+};
+
+/// See `sampleSeparably`; by Lanczos' interpolation.
+[[nodiscard]] inline Float4 sampleLanczos(const LanczosKernel& kernel, const Lanes* frame,
+                                          Size size, float x, float y) {
+  return sampleSeparably<LanczosKernel::kTaps>(frame, size, x, y, 1 - LanczosKernel::kLobes,
+                                               kernel);
 }
 
 }  // namespace fluidymation

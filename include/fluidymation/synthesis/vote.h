@@ -21,7 +21,7 @@ struct VotedPicture {
 
 /// The vote that is painted. Twenty-five turned and interpolated windows blur whatever they do not
 /// agree on; weighting a window by the distance of its centre and reading between pixels with a
-/// cubic kernel keeps more of the medium's detail (docs/quality.md). Where a sigma is so small that
+/// sharp kernel keeps more of the medium's detail (docs/quality.md). Where a sigma is so small that
 /// no window that covers a pixel has a weight, its nearest windows count.
 /// @param wanted  nonzero where the picture is wanted: a pixel next to the mask, which the outline
 ///   cuts, is seen by the windows of its neighbours.

@@ -252,6 +252,20 @@ TEST_F(SynthesizerTest, SlowMaterialKeepsItsPictureBecauseOfThePreviousFrame) {
   EXPECT_LT(kept, 0.6 * flicker(exemplar, slow, options));
 }
 
+TEST_F(SynthesizerTest, FullResolutionMatchesOfTheLastFrameCalmTheFinestLevel) {
+  const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
+  test::GrowingDisc slow = other_;
+  slow.speedPx = 0.5F;
+  SynthesisOptions options = smallOptions();
+  const double upscaled = flicker(exemplar, slow, options);
+  options.finestLevel = FinestLevel::kRefined;
+  const double refined = flicker(exemplar, slow, options);
+  options.finestLevel = FinestLevel::kSearched;
+  const double searched = flicker(exemplar, slow, options);
+  EXPECT_LT(refined, 0.6 * upscaled);
+  EXPECT_LT(searched, 0.6 * upscaled);
+}
+
 TEST_F(SynthesizerTest, GuidesAlonePlaceTheMatchesOfAFreshFrame) {
   // Without any search after the first one the field must not know the exemplar's colours
   SynthesisOptions options = smallOptions();

@@ -86,7 +86,8 @@ TEST(PaintedVote, WithTheThesisOptionsIsTheVote) {
 TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
   const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
-  for (const Interpolation interpolation : {Interpolation::kBilinear, Interpolation::kCubic}) {
+  for (const Interpolation interpolation :
+       {Interpolation::kBilinear, Interpolation::kCubic, Interpolation::kLanczos}) {
     const VotedPicture picture =
         paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {0.05F, interpolation});
     for (int y = 0; y < 12; ++y) {
@@ -159,6 +160,61 @@ TEST(CubicSampling, ReproducesQuadraticsAndPassesThroughThePixels) {
   // Past the image the edge repeats
   EXPECT_EQ(sampleCubic(frame.data(), size, -3.0F, -3.0F)[0],
             sampleCubic(frame.data(), size, 0.0F, 0.0F)[0]);
+}
+
+constexpr float kPi = 3.14159265F;
+
+/// A row of pixels of a wave with this many periods per px.
+std::vector<Lanes> wave(int width, float frequency) {
+  std::vector<Lanes> pixels(static_cast<std::size_t>(width));
+  for (std::size_t x = 0; x < pixels.size(); ++x) {
+    pixels[x].low[0] = std::cos(2.0F * kPi * frequency * static_cast<float>(x));
+  }
+  return pixels;
+}
+
+/// Largest error between the pixels of a row, away from its ends.
+template <typename Sample>
+float errorOn(float frequency, const Sample& sample) {
+  const Size size{64, 1};
+  const std::vector<Lanes> pixels = wave(size.width, frequency);
+  float worst = 0.0F;
+  for (float x = 20.0F; x < 44.0F; x += 0.125F) {
+    const float truth = std::cos(2.0F * kPi * frequency * x);
+    worst = std::max(worst, std::abs(sample(pixels.data(), size, x)[0] - truth));
+  }
+  return worst;
+}
+
+TEST(LanczosSampling, KeepsFineDetailBetterThanCubic) {
+  const LanczosKernel kernel;
+  const auto lanczos = [&](const Lanes* frame, Size size, float x) {
+    return sampleLanczos(kernel, frame, size, x, 0.0F);
+  };
+  const auto cubic = [](const Lanes* frame, Size size, float x) {
+    return sampleCubic(frame, size, x, 0.0F);
+  };
+  for (const float frequency : {0.2F, 0.25F, 0.3F, 0.35F}) {
+    EXPECT_LT(errorOn(frequency, lanczos), 0.7F * errorOn(frequency, cubic)) << frequency;
+  }
+  EXPECT_LT(errorOn(0.25F, lanczos), 0.06F);
+  EXPECT_LT(errorOn(0.0F, lanczos), 1e-6F);
+}
+
+TEST(LanczosSampling, PassesThroughThePixelsAndRepeatsTheEdge) {
+  const LanczosKernel kernel;
+  const Size size{12, 10};
+  const Image<Lab> texture = test::randomTexture(size, 5);
+  const ExemplarLevel exemplar = oneFrame(texture.clone());
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      EXPECT_NEAR(sampleLanczos(kernel, exemplar.frame(0), size, static_cast<float>(x),
+                                static_cast<float>(y))[0],
+                  texture(x, y).l, 1e-4F);
+    }
+  }
+  EXPECT_EQ(sampleLanczos(kernel, exemplar.frame(0), size, -3.0F, 20.0F)[0],
+            sampleLanczos(kernel, exemplar.frame(0), size, 0.0F, 9.0F)[0]);
 }
 
 TEST(Vote, AConstantExemplarVotesItsConstant) {
