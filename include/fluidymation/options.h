@@ -107,6 +107,7 @@ enum class FinestLevel {
 };
 
 struct SynthesisOptions {
+  float texWeight = 1.0F;         ///< colours of the picture as it stands; §3.7, P§3.1
   float distWeight = 5.0F;        ///< edge or shape guide; §3.4, P§3.1
   float flowWeight = 0.1F;        ///< motion extent guides; §3.5
   float dirWeight = 0.0F;         ///< directions of movement within a window; §3.6, P§3.2
@@ -116,7 +117,7 @@ struct SynthesisOptions {
   float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3
   /// What `distWeight` is multiplied by, a channel scale. More than the thesis preset's 1 keeps the
   /// film's colours at the rim (docs/quality.md).
-  float edgeGain = 3.0F;
+  float edgeGain = 4.0F;
   ShapeRules shape;
   ModulationBounds prevModulation;
   ThinParts thinParts = ThinParts::kBody;

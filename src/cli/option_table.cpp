@@ -320,6 +320,9 @@ void addGuides(Table& table) {
 }
 
 void addSynthesis(Table& table) {
+  table.real("--tex-weight", kSynthesis, "weight of the texture: colours alike in whole windows",
+             "", ranges::kWeights, "thesis §3.7: 1",
+             [](CommandLine& c) -> float& { return c.options.synthesis.texWeight; });
   table.word<bool>("--carry-motion", kSynthesis,
                    "on: movement too small for a step of the film is kept for\n"
                    "later; off: slow animations freeze",

@@ -83,6 +83,7 @@ void check(const ModulationBounds& bounds) {
 }
 
 void check(const SynthesisOptions& synthesis) {
+  check("--tex-weight", synthesis.texWeight, ranges::kWeights);
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--dir-weight", synthesis.dirWeight, ranges::kWeights);

@@ -10,6 +10,7 @@ void applyThesisPreset(Options& options) {
   options.timeBlurSigmaFrames = 2.0F;
   options.flowBlurSigmaFrames = 0.0F;
   SynthesisOptions& synthesis = options.synthesis;
+  synthesis.texWeight = 1.0F;
   synthesis.distWeight = 5.0F;
   synthesis.flowWeight = 0.1F;
   synthesis.dirWeight = 0.0F;

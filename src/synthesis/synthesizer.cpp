@@ -104,8 +104,8 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                               target, options_, Place{frame_, level}};
   const int coarsest = exemplar_.levelCount() - 1;
   const LevelIterations count = iterations(level);
-  const DistanceWeights weights{1.0F, options_.edgeGain * options_.distWeight, options_.flowWeight,
-                                options_.prevWeight, options_.dirWeight};
+  const DistanceWeights weights{options_.texWeight, options_.edgeGain * options_.distWeight,
+                                options_.flowWeight, options_.prevWeight, options_.dirWeight};
   int pass = count.firstPass;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
     findNearestNeighbors(problem, w, count.patchmatch, pass, nnf, count.candidates);

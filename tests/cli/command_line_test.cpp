@@ -92,6 +92,7 @@ const std::vector<Reaching>& reachingOptions() {
       {"--shape-guide", "blurred",
        [](C c) { return c.options.synthesis.shape.guide == ShapeGuide::kBlurredMask; }},
       {"--segments", "none", [](C c) { return !c.options.synthesis.shape.hardSegments; }},
+      {"--tex-weight", "2", [](C c) { return c.options.synthesis.texWeight == 2.0F; }},
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
@@ -177,6 +178,7 @@ TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
     EXPECT_TRUE(o.synthesis.shape.hardSegments);
     EXPECT_EQ(o.synthesis.shape.modulation, ModulationDistance::kClamped);
     EXPECT_EQ(o.synthesis.dirWeight, 0.0F);
+    EXPECT_EQ(o.synthesis.texWeight, 1.0F);
     EXPECT_EQ(o.synthesis.distWeight, 5.0F);
     EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
     EXPECT_EQ(o.synthesis.prevWeight, 1.0F);

@@ -256,6 +256,7 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--shape-guide", "blurred"},
       {"--segments", "none"},
       {"--dir-weight", "100"},
+      {"--tex-weight", "0"},
       {"--dist-weight", "0"},
       {"--flow-weight", "100"},
       {"--prev-weight", "0"},

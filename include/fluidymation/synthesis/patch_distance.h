@@ -10,7 +10,7 @@ namespace fluidymation {
 
 /// Weights of the terms of the patch distance; thesis §3.7. Colours alone, unless told otherwise.
 struct DistanceWeights {
-  float color = 1.0F;  ///< 0 in the very first search, which knows no picture yet (§4.2), else 1
+  float color = 1.0F;  ///< 0 in the very first search, which knows no picture yet (§4.2)
   float dist = 0.0F;
   float flow = 0.0F;
   float prev = 0.0F;

@@ -87,6 +87,7 @@ const std::vector<Fault>& faults() {
        [](Options& o) {
          o.synthesis.prevModulation = {80.0F, 2.0F, ModulationUnit::kBorderWidths};
        }},
+      {"--tex-weight nan: ", [](Options& o) { o.synthesis.texWeight = kNan; }},
       {"--dist-weight nan: ", [](Options& o) { o.synthesis.distWeight = kNan; }},
       {"--flow-weight inf: ", [](Options& o) { o.synthesis.flowWeight = kInfinity; }},
       {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},

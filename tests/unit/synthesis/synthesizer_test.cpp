@@ -365,6 +365,7 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
     change(options);
     EXPECT_FALSE(equalBytes(reference, paintAll(exemplar, other_, options))) << what;
   };
+  differs("tex-weight", [](SynthesisOptions& o) { o.texWeight = 0.0F; });
   differs("dist-weight", [](SynthesisOptions& o) { o.distWeight = 0.0F; });
   differs("flow-weight", [](SynthesisOptions& o) { o.flowWeight = 5.0F; });
   differs("prev-weight", [](SynthesisOptions& o) { o.prevWeight = 0.0F; });
