@@ -4,13 +4,13 @@
     measure.py --judge quality.py --pairs PAIRS.tsv --variants VARIANTS.tsv --out DIR
                [--data DIR] [--program FILE ...] [--frames N] [--jobs N] [--pair NAME ...]
 
---judge is a program with the command line of quality.py (exemplar, masks and output in, JSON with
-"metrics" out). PAIRS.tsv has the columns name, exemplar folder (with rgb/ and mask/), target folder,
-first target frame, mask blur (sigma in px, for both sequences), further options; "{data}" in a folder
-stands for --data. VARIANTS.tsv has the columns name, options and, if wanted, the program to use
+--judge is a program that compares a painting with its exemplar and target (`judge_command` has its
+options), and writes JSON: {"metrics": {row: {"title": ..., "value": ..., "score": ...}}}. PAIRS.tsv
+has the columns name, exemplar folder (with rgb/ and mask/), target folder, first target frame, mask
+blur (sigma in px, for both sequences), further options; "{data}" in a folder stands for --data. VARIANTS.tsv has the columns name, options and, if wanted, the program to use
 instead of --program. Lines that begin with "#" are skipped.
 
-What has been painted and judged already is kept as long as program, command and frames are the same.
+What has been painted and judged already is kept as long as program, judge and command are the same.
 Writes DIR/figures.tsv (variant, pair, row, value) and DIR/table.md (rows x variants, the mean over
 all pairs, then each pair), and prints the first part of it.
 """
@@ -62,8 +62,19 @@ def paint_command(program, pair, options, frames, out):
     ]  # fmt: skip
 
 
-def judge_command(judge, pair, frames, out, result):
-    """The command line that judges what `paint_command` has painted."""
+def settings(words):
+    """Options and their values from a list of alternating words; exits at what is none."""
+    names, values = words[::2], words[1::2]
+    if len(names) != len(values) or any(not n.startswith("--") or "=" in n for n in names):
+        sys.exit(f"measure.py: {shlex.join(words)}: wanted pairs of --option and value")
+    return dict(zip(names, values))
+
+
+def judge_command(judge, pair, options, frames, out, result):
+    """The command line that judges what `paint_command` has painted, with the same masks."""
+    if "--target-blur-sigma" in options:
+        sys.exit("measure.py: --target-blur-sigma: the judge smooths both sequences alike")
+    threshold = options.get("--mask-threshold", MASK_THRESHOLD)
     exemplar = pathlib.Path(pair["exemplar"])
     return [
         "/usr/bin/python3", judge, "--quick",
@@ -72,7 +83,8 @@ def judge_command(judge, pair, frames, out, result):
         "--target-mask", str(pathlib.Path(pair["target"]) / "%05d.png"),
         "--target-start", pair["start"], "--frames", str(frames),
         "--output", str(out / "%05d.png"), "--output-start", pair["start"],
-        "--mask-blur", pair["blur"], "--mask-threshold", MASK_THRESHOLD, "--json", str(result),
+        "--mask-blur", options["--blur-sigma"], "--mask-threshold", threshold,
+        "--json", str(result),
     ]  # fmt: skip
 
 
@@ -97,18 +109,15 @@ def measure(arguments, pair, variant):
     """Figures of one variant on one pair: {row: value}, {row: title}."""
     folder = arguments.out / variant["name"] / pair["name"]
     program = variant["program"] or arguments.program
-    given = shlex.split(variant["options"])
     # What a variant says replaces what the pair says
-    own = shlex.split(pair["options"])
-    kept = [
-        word
-        for option, value in zip(own[::2], own[1::2])
-        if option not in given
-        for word in (option, value)
-    ]
-    blur = [] if "--blur-sigma" in given else ["--blur-sigma", pair["blur"]]
-    command = paint_command(program, pair, blur + kept + given, arguments.frames, folder)
-    stamp = digest(program) + "\n" + shlex.join(command) + "\n"
+    options = {
+        "--blur-sigma": pair["blur"],
+        **settings(shlex.split(pair["options"])),
+        **settings(shlex.split(variant["options"])),
+    }
+    words = [word for option in options.items() for word in option]
+    command = paint_command(program, pair, words, arguments.frames, folder)
+    stamp = "\n".join([digest(program), digest(arguments.judge), shlex.join(command), ""])
     result = folder / "figures.json"
     if result.exists() and (folder / "command").read_text(encoding="utf-8") == stamp:
         return json.loads(result.read_text(encoding="utf-8"))
@@ -116,7 +125,7 @@ def measure(arguments, pair, variant):
     folder.mkdir(parents=True)
     seconds = run(command, {**os.environ, "OMP_WAIT_POLICY": "passive"})
     judged = folder / "judged.json"
-    run(judge_command(arguments.judge, pair, arguments.frames, folder, judged))
+    run(judge_command(arguments.judge, pair, options, arguments.frames, folder, judged))
     metrics = json.loads(judged.read_text(encoding="utf-8"))["metrics"]
     figures = {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
     painted = max(1, len(list(folder.glob("*.png"))))

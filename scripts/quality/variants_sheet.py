@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Shows what variants make of one pair: a labelled row of frames for each, over the bare surface.
 
-    variants_sheet.py --painted DIR --pair NAME --variants VARIANTS.tsv --exemplar DIR --out FILE.png
-                      [--columns N] [--width PX]
+    variants_sheet.py --painted DIR --pair NAME --variants VARIANTS.tsv --exemplar DIR
+                      --out FILE.png [--columns N] [--width PX]
 
 DIR/<variant>/NAME holds the painted frames, as measure.py leaves them.
 """
