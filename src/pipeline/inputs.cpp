@@ -91,6 +91,7 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.largestStored = largestStored(inputs);
   run.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
   run.shape = options.synthesis.shape;
+  run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
   if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
   if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;
   return run;

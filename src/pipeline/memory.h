@@ -25,6 +25,7 @@ struct RunSize {
   ShapeRules shape{};
   Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
   Size targetFlow{};
+  bool mayCompareAges = false;  ///< in the place of extents
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the
