@@ -142,6 +142,13 @@ enum class FlowConvention {
   kForward,   ///< the movement from frame n to n + 1, seen on n
 };
 
+/// What new material of the target looks like; P§5, thesis figure 5.4.
+enum class NewMaterial {
+  kAutomatic,  ///< kFresh where the target turns out to be lines being drawn, see `DrawnLines`
+  kFresh,      ///< as in the film's first frames, and then ages as the film does
+  kPlain,  ///< the thesis': as its motion extents say; what lies still looks as if it always had
+};
+
 /// Everything one run depends on. What each option accepts is stated in option_ranges.h.
 struct Options {
   SequenceOptions source;
@@ -168,6 +175,7 @@ struct Options {
   float flowBlurSigmaFrames = 0.0F;
   /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.
   MotionModel motionModel = MotionModel::kNormals;
+  NewMaterial newMaterial = NewMaterial::kAutomatic;
   SynthesisOptions synthesis;
 
   std::optional<std::string> dumpGuidesDirectory;

@@ -305,6 +305,14 @@ void addGuides(Table& table) {
       "film: motion extents relative to the film's, and bounded;\npx: as they are",
       {{"px", ExtentUnit::kPixels}, {"film", ExtentUnit::kExemplar}}, "thesis §3.5: px",
       [](CommandLine& c) -> ExtentUnit& { return c.options.synthesis.extentUnit; });
+  table.word<NewMaterial>("--new-material", kGuides,
+                          "fresh: as in the film's first frames, older behind a brush;\n"
+                          "plain: by its motion; auto: fresh for lines being drawn",
+                          {{"auto", NewMaterial::kAutomatic},
+                           {"fresh", NewMaterial::kFresh},
+                           {"plain", NewMaterial::kPlain}},
+                          "thesis §5: plain",
+                          [](CommandLine& c) -> NewMaterial& { return c.options.newMaterial; });
   const ModulationBounds bounds;
   table.add(
       {"--prev-modulation-bounds", kGuides, "M_U,M_L",

@@ -7,6 +7,7 @@
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
+#include "fluidymation/guides/drawn_lines.h"
 #include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/motion.h"
 #include "shape_change.h"
@@ -123,6 +124,16 @@ bool GuideStream::anyInside() const {
   assert(nextFrame_ == 0);
   return std::any_of(frames_.begin(), frames_.end(),
                      [](const StoredFrame& frame) { return !frame.flow.empty(); });
+}
+
+bool GuideStream::drawsLines() const {
+  assert(nextFrame_ == 0);
+  DrawnLines lines;
+  for (const StoredFrame& frame : frames_) {
+    const Mask mask = frame.shape.mask();
+    lines.add(mask, scatter(mask, frame.flow));
+  }
+  return lines.found();
 }
 
 GuideFrame GuideStream::next() {

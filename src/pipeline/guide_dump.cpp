@@ -84,6 +84,7 @@ void dumpGuides(const std::string& folder, int frameNumber, const GuideFrame& gu
   writeGrayPng(path + ".mask.png", maskPicture(guides.mask));
   writePfm(path + ".dist.pfm", guides.distance);
   if (!guides.shape.empty()) writePfm(path + ".shape.pfm", guides.shape);
+  if (!guides.age.empty()) writePfm(path + ".age.pfm", guides.age);
   writeFlow(path + ".flow.flo", guides.flow);
   writePfm(path + ".ext_fwd.pfm", extForward);
   writePfm(path + ".ext_bwd.pfm", extBackward);

@@ -92,6 +92,7 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
   run.shape = options.synthesis.shape;
   run.finestLevel = options.synthesis.finestLevel;
+  run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
   if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
   if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;
   return run;

@@ -46,6 +46,9 @@ constexpr double kPackedMaskBytes = 1.0 / 8.0;
 constexpr double kDistanceBytes = sizeof(float);
 constexpr double kAllPixelsBytes = sizeof(std::uint32_t);
 constexpr double kShapeBytes = 12.0;
+// Where ages may be compared, per pixel of a frame at work: its ages, those that are carried on
+// with their mask, and of the exemplar the number of each pixel's part.
+constexpr double kAgeBytes = 4.0 + 4.0 + 1.0 + 4.0;
 constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
 
 // The program with its libraries, and what does not grow with the pictures.
@@ -109,13 +112,14 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double exemplar =
       exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) + kPackedMaskBytes +
                         kAccumulatedBytes + kUnreturnedBytes + kCandidateGrowthBytes);
-  const double shapeBytes = run.shape.guide == ShapeGuide::kBlurredMask ? kShapeBytes : 0.0;
+  const double ownBytes = (run.shape.guide == ShapeGuide::kBlurredMask ? kShapeBytes : 0.0) +
+                          (run.mayCompareAges ? kAgeBytes : 0.0);
   constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
   const double reading =
       exemplar + std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
-                          pixels(run.exemplar) * (kGuidesAtWork + shapeBytes));
-  const double painting = exemplar + std::max(pixels(run.target) * (kGuidesAtWork + shapeBytes),
-                                              pixels(run.target) * (kPaintingBytes + shapeBytes) +
+                          pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
+  const double painting = exemplar + std::max(pixels(run.target) * (kGuidesAtWork + ownBytes),
+                                              pixels(run.target) * (kPaintingBytes + ownBytes) +
                                                   exemplarVolume * occurrenceBytes(run));
 
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;

@@ -26,6 +26,7 @@ struct RunSize {
   Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
   Size targetFlow{};
   FinestLevel finestLevel = FinestLevel::kUpscaled;
+  bool mayCompareAges = false;  ///< in the place of extents
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

@@ -15,6 +15,7 @@
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/guides/material_age.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
@@ -121,6 +122,20 @@ FlowReader flowReader(const std::optional<FlowSequence>& flow,
   };
 }
 
+/// Whether ages take the place of motion extents. Tells the user when that was found.
+bool comparesAges(const Options& options, const GuideStream& target, const Observer& observer) {
+  if (options.newMaterial != NewMaterial::kAutomatic) {
+    return options.newMaterial == NewMaterial::kFresh;
+  }
+  if (!target.drawsLines()) return false;
+  if (observer.note) {
+    observer.note(
+        "lines being drawn: new material looks fresh, what lies longer older "
+        "(--new-material plain turns it off)");
+  }
+  return true;
+}
+
 /// The exemplar with its colours, which are all that is read of it after masks and flow.
 /// @throws Interrupted, Error.
 Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
@@ -135,12 +150,15 @@ Exemplar readPictures(const Options& options, const Inputs& inputs, const Observ
 }
 
 /// Completes the exemplar by its guides, and dumps them where that is wanted.
+/// @param withAges  whether they hold ages.
 /// @throws Interrupted, Error.
-void addGuides(const Options& options, const Inputs& inputs, GuideStream& guides,
+void addGuides(const Options& options, const Inputs& inputs, bool withAges, GuideStream& guides,
                const Observer& observer, Exemplar& exemplar) {
+  FilmAges ages;
   for (int k = 0; k < exemplar.frameCount(); ++k) {
     stopIfCancelled(observer, 0, inputs.target.files.count());
-    const GuideFrame frame = guides.next();
+    GuideFrame frame = guides.next();
+    if (withAges) frame.age = ages.next(frame.mask);
     const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
     tellOfFlow(observer, "--src-mask-path " + options.sourceMaskPath, number, frame);
     exemplar.setGuides(k, frame);
@@ -205,17 +223,23 @@ void stylize(const Options& given, const Observer& observer) {
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
       flowReader(inputs.targetFlow, stopBeforeTheFirst));
+  const bool withAges = comparesAges(options, guides, observer);
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
-  addGuides(options, inputs, sourceGuides, observer, exemplar);
+  addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
   Synthesizer synthesizer(exemplar, options.synthesis);
+  TargetAges ages;
 
   if (observer.paintingBegins) observer.paintingBegins(frameCount);
   for (int j = 0; j < frameCount; ++j) {
     stopIfCancelled(observer, j, frameCount);
     const auto i = static_cast<std::size_t>(j);
     const Clock::time_point start = Clock::now();
-    const GuideFrame frame = guides.next();
+    GuideFrame frame = guides.next();
+    if (withAges) {
+      frame.age = ages.next(frame.mask);
+      frame.ageGrows = ages.haveGrown();
+    }
     const int number = inputs.target.files.numbers[i];
     tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);

@@ -24,6 +24,7 @@ void applyThesisPreset(Options& options) {
   synthesis.patchmatchIterations = {6, 4};
   synthesis.optIterations = {4, 3, 2};
   options.motionModel = MotionModel::kNormals;
+  options.newMaterial = NewMaterial::kPlain;
   synthesis.thinParts = ThinParts::kFringe;
   synthesis.carriesMotion = false;
   synthesis.extentUnit = ExtentUnit::kPixels;

@@ -48,6 +48,7 @@ void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
 }
 
 void ExemplarLevel::finish(const ExtentScale& extentScale) {
+  comparesAges_ = extentScale.isOfAges();
   forEachRow(size_.height * frameCount_, [&](int row) {
     Lanes* pixels = pixels_.data() + offset(0, row % size_.height, row / size_.height);
     for (int x = 0; x < size_.width; ++x) {
@@ -102,6 +103,7 @@ void Exemplar::setColor(int frame, const Image<Lab>& color) {
 }
 
 void Exemplar::setGuides(int frame, const GuideFrame& guides) {
+  hasAges_ = !guides.age.empty();
   GuideLevel guideLevel = finestLevel(guides);
   for (int l = 0; l < levelCount(); ++l) {
     if (l > 0) guideLevel = halve(guideLevel);
@@ -112,8 +114,12 @@ void Exemplar::setGuides(int frame, const GuideFrame& guides) {
 }
 
 void Exemplar::finish(ExtentUnit unit) {
-  const float meanPx = unit == ExtentUnit::kExemplar ? meanExtentPx() : 0.0F;
-  if (meanPx > 0.0F) extentScale_ = ExtentScale::boundedAt(kHalfExtentShare * meanPx);
+  if (hasAges_) {
+    extentScale_ = ExtentScale::ofAges(static_cast<float>(frameCount() - 1));
+  } else if (unit == ExtentUnit::kExemplar) {
+    const float meanPx = meanExtentPx();
+    if (meanPx > 0.0F) extentScale_ = ExtentScale::boundedAt(kHalfExtentShare * meanPx);
+  }
   for (ExemplarLevel& level : levels_) level.finish(extentScale_);
 }
 

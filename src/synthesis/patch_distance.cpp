@@ -95,7 +95,8 @@ float PatchDistance::compare(const TargetWindow& window, const Match& match, flo
   const Size size = exemplar_.size();
   const Lanes* frame = exemplar_.frame(match.frame);
   const Vec2 sourceDirection = exemplar_.direction(match.nearestX(), match.nearestY(), match.frame);
-  const bool opposite = isOpposite(window.direction, sourceDirection, match.rotation);
+  const bool opposite =
+      !exemplar_.comparesAges() && isOpposite(window.direction, sourceDirection, match.rotation);
 
   // Window offset (dx, dy) lies at (x, y) + dx * right + dy * down in the source.
   const Vec2 right = match.rotation.inverse().apply({1.0F, 0.0F});

@@ -52,6 +52,10 @@ GuideLevel finestLevel(const GuideFrame& frame) {
                    frame.flow.clone(),
                    frame.direction.clone(),
                    frame.shape.clone()};
+  if (!frame.age.empty()) {
+    level.extForward = frame.age.clone();
+    return level;
+  }
   std::transform(frame.accForward.begin(), frame.accForward.end(), level.extForward.begin(),
                  [](Vec2 acc) { return length(acc); });
   std::transform(frame.accBackward.begin(), frame.accBackward.end(), level.extBackward.begin(),

@@ -59,6 +59,15 @@ float moveInTime(const Exemplar& exemplar, float amountPx, Match& match) {
   return backwards ? -rest : rest;
 }
 
+/// A frame further, while the place stays inside the mask and the film lasts.
+void moveByOneFrame(const ExemplarLevel& exemplar, Match& match) {
+  const int next = match.frame + 1;
+  if (next < exemplar.frameCount() &&
+      exemplar.segment(match.nearestX(), match.nearestY(), next) != Segment::kOutside) {
+    match.frame = next;
+  }
+}
+
 }  // namespace
 
 NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
@@ -79,6 +88,10 @@ NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
       // A match that was only upscaled may lie just outside the exemplar's mask: it has no motion.
       if (sx < 0 || sy < 0 || sx >= finest.size().width || sy >= finest.size().height ||
           finest.segment(sx, sy, match.frame) == Segment::kOutside) {
+        continue;
+      }
+      if (finest.comparesAges()) {
+        if (target.ageGrows) moveByOneFrame(finest, moved);
         continue;
       }
       const float amountPx = length(target.flow(x, y));

@@ -115,6 +115,8 @@ const std::vector<Reaching>& reachingOptions() {
        }},
       {"--motion-model", "rigid",
        [](C c) { return c.options.motionModel == MotionModel::kRigidParts; }},
+      {"--new-material", "fresh", [](C c) { return c.options.newMaterial == NewMaterial::kFresh; }},
+      {"--new-material", "plain", [](C c) { return c.options.newMaterial == NewMaterial::kPlain; }},
       {"--thin-parts", "fringe",
        [](C c) { return c.options.synthesis.thinParts == ThinParts::kFringe; }},
       {"--extent-unit", "px",
@@ -197,6 +199,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.blurSigmaPx, 8.0F);
   EXPECT_EQ(all.borderWidthPx, 10.0F);
   EXPECT_EQ(all.motionModel, MotionModel::kNormals);
+  EXPECT_EQ(all.newMaterial, NewMaterial::kPlain);
   EXPECT_EQ(all.synthesis.thinParts, ThinParts::kFringe);
   EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
   EXPECT_FALSE(all.synthesis.carriesMotion);
@@ -246,6 +249,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.thinParts, ThinParts::kFringe);
   EXPECT_FALSE(s.carriesMotion);
   EXPECT_EQ(o.motionModel, MotionModel::kNormals);
+  EXPECT_EQ(o.newMaterial, NewMaterial::kPlain);
   EXPECT_EQ(s.paintedVote.sigmaPx, 0.0F);
   EXPECT_EQ(s.paintedVote.interpolation, Interpolation::kBilinear);
   EXPECT_EQ(s.optIterations, (List{4, 3, 2}));

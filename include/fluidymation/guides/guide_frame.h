@@ -19,6 +19,10 @@ struct GuideFrame {
   /// How much of each pixel the shape covers, in [0, 1], where the masks are soft. Empty where they
   /// are hard: then the mask says it all.
   Image<float> coverage = {};
+  /// How long the material lies there, frames (`TargetAges`, `FilmAges`): where it is given, it
+  /// takes the place of the extents. Empty unless it was asked for.
+  Image<float> age = {};
+  bool ageGrows = false;  ///< whether what stayed covered is older than in the frame before
 
   [[nodiscard]] float coverageAt(int x, int y) const {
     if (!coverage.empty()) return coverage(x, y);

@@ -37,6 +37,9 @@ class GuideStream {
   /// Whether any mask still has material after smoothing. Asked before the first `next()`.
   [[nodiscard]] bool anyInside() const;
 
+  /// Whether the sequence is lines being drawn, see `DrawnLines`. Asked before the first `next()`.
+  [[nodiscard]] bool drawsLines() const;
+
   /// Guides of the next frame; must not be called more than `frameCount()` times.
   [[nodiscard]] GuideFrame next();
 

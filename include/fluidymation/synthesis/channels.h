@@ -15,8 +15,8 @@ enum Channel : int {
   kGreenRed,     ///< CIELAB a
   kBlueYellow,   ///< CIELAB b
   kEdge,         ///< kEdgeScale * min(distance / border width, 1), §3.4; or * blurred mask, P§3.1
-  kExtForward,   ///< accumulated motion, see ExtentScale; §3.5
-  kExtBackward,  ///< motion still to come, likewise; §3.5
+  kExtForward,   ///< accumulated motion or age, see ExtentScale; §3.5
+  kExtBackward,  ///< motion still to come, likewise; §3.5; 0 where ages are compared
   kDirectionX,   ///< unit direction of the flow; compared by angle where that has a weight
   kDirectionY,
   kChannelCount
@@ -36,6 +36,12 @@ inline constexpr float kExtUnitPx = 3.0F;
 inline constexpr float kLargestExtent = 5.0F;
 inline constexpr float kHalfExtentShare = 1.0F;
 
+/// Where ages are compared in the place of extents: the channel of the oldest material of the film.
+/// With the extents' 5, at the same --flow-weight, the film's whole life costs no more than a
+/// colour error of 2.7: what is new keeps the colours of the old paint beside it. With 20 the brush
+/// is fresh in the pictures (docs/method.md has figures).
+inline constexpr float kLargestAge = 20.0F;
+
 /// How a motion extent, px, becomes a channel.
 class ExtentScale {
  public:
@@ -51,13 +57,30 @@ class ExtentScale {
     return scale;
   }
 
+  /// Of ages in the place of extents, frames: from 0 linearly to kLargestAge at `oldestFrames`, and
+  /// no further: what is older than the film ever gets is as the film is in the end.
+  [[nodiscard]] static ExtentScale ofAges(float oldestFrames) {
+    ExtentScale scale;
+    scale.ofAges_ = true;
+    scale.oldestFrames_ = oldestFrames;
+    return scale;
+  }
+
+  [[nodiscard]] bool isOfAges() const { return ofAges_; }
+
   [[nodiscard]] float operator()(float extentPx) const {
+    if (ofAges_) {
+      if (oldestFrames_ <= 0.0F) return 0.0F;
+      return kLargestAge * std::min(extentPx, oldestFrames_) / oldestFrames_;
+    }
     return halfPx_ > 0.0F ? kLargestExtent * extentPx / (extentPx + halfPx_)
                           : extentPx / kExtUnitPx;
   }
 
  private:
   float halfPx_ = 0.0F;  ///< 0: linear
+  bool ofAges_ = false;
+  float oldestFrames_ = 0.0F;
 };
 
 /// The edge guide of thesis §3.4 from a signed distance, px; negative outside the mask.

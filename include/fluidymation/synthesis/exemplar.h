@@ -57,6 +57,9 @@ class ExemplarLevel {
   /// False when a segment has no pixel at this level: then there is no telling them apart.
   [[nodiscard]] bool segmented() const { return segmented_; }
 
+  /// Whether the extents' place is taken by ages, which have no direction.
+  [[nodiscard]] bool comparesAges() const { return comparesAges_; }
+
   /// Volume indices of a segment's pixels; of the other one's where it has none.
   [[nodiscard]] const std::vector<std::uint32_t>& pixelsOf(Segment segment) const;
 
@@ -94,6 +97,7 @@ class ExemplarLevel {
   float borderWidthPx_;
   ShapeRules rules_;
   bool segmented_ = true;
+  bool comparesAges_ = false;
   std::vector<float> distancesPx_;  ///< empty where the edge guide tells them
   std::vector<Lanes> pixels_;
   std::vector<Segment> segments_;
@@ -112,6 +116,8 @@ class Exemplar {
   /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideFrame& guides);
+  /// Where the guides hold ages, in all frames or in none, they are compared in the place of the
+  /// extents, and the target's guides have to hold them too; `unit` then says nothing.
   void finish(ExtentUnit unit = ExtentUnit::kPixels);
 
   /// How the target's extents have to be scaled to compare with this exemplar's.
@@ -122,6 +128,7 @@ class Exemplar {
   }
   [[nodiscard]] int levelCount() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] int frameCount() const { return levels_.front().frameCount(); }
+  [[nodiscard]] bool comparesAges() const { return extentScale_.isOfAges(); }
 
   /// acc+ and acc- of frame k at full resolution; §3.5.
   [[nodiscard]] const Image<Vec2>& accForward(int k) const {
@@ -136,6 +143,7 @@ class Exemplar {
   [[nodiscard]] float meanExtentPx() const;
 
   ExtentScale extentScale_;
+  bool hasAges_ = false;  ///< whether the guides set so far hold ages
   std::vector<ExemplarLevel> levels_;
   std::vector<Image<Vec2>> accForward_;
   std::vector<Image<Vec2>> accBackward_;

@@ -26,8 +26,8 @@ enum class Segment : std::uint8_t {
 struct GuideLevel {
   Mask mask;
   Image<float> distance;     ///< signed, px of the finest level
-  Image<float> extForward;   ///< ext+, px
-  Image<float> extBackward;  ///< ext-, px
+  Image<float> extForward;   ///< ext+, px; or GuideFrame::age, frames, where there is one
+  Image<float> extBackward;  ///< ext-, px; or 0
   Image<Vec2> flow;          ///< px per frame
   Image<Vec2> direction;     ///< unit vectors inside the mask
   Image<float> shape;        ///< GuideFrame::shape; empty unless it was asked for

@@ -19,6 +19,9 @@ namespace fluidymation {
 /// the target moved. In the thesis the rest is lost: a target slower than half the exemplar's
 /// movement per frame never takes a step, and freezes. `owed` keeps the rest for the pixel's next
 /// step.
+///
+/// Where ages are compared in the place of extents, every match moves by one frame forwards in
+/// frames in which ages grow, and by none in the others; nothing is owed.
 /// @param target  guides of the new frame, full resolution.
 /// @param owed    if given: movement still to be made, px along the exemplar's time (negative:
 ///   backwards); the target's size, or empty at first. Pixels without a match, and those whose walk

@@ -44,6 +44,7 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.shape.hardSegments = false; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.shape.modulation = ModulationDistance::kUnclamped; }),
             bytes);
+  EXPECT_GT(changed([](RunSize& r) { r.mayCompareAges = true; }), bytes);
 }
 
 TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
