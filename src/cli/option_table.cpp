@@ -339,13 +339,17 @@ void addSynthesis(Table& table) {
              [](CommandLine& c) -> float& { return c.options.synthesis.patchmatchAlpha; });
   table.integers(
       "--patchmatch-iterations", kSynthesis,
-      "PatchMatch passes per level, coarsest first, the last repeats",
+      "PatchMatch passes per coarser level, coarsest first, the last\n"
+      "repeats; the finest level: see --opt-iterations",
       ranges::kPatchmatchIterations, "thesis §4.5",
       [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.patchmatchIterations; });
-  table.integers(
-      "--opt-iterations", kSynthesis, "search and vote per level, coarsest first, the last repeats",
-      ranges::kOptIterations, "thesis §4.5",
-      [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.optIterations; });
+  table.integers("--opt-iterations", kSynthesis,
+                 "search and vote per coarser level, coarsest first, the last\n"
+                 "repeats; the finest has one sweep, none where its number is\n"
+                 "0, unless --finest-level says upscaled",
+                 ranges::kOptIterations, "thesis §4.5", [](CommandLine& c) -> std::vector<int>& {
+                   return c.options.synthesis.optIterations;
+                 });
   table.word<FinestLevel>("--finest-level", kSynthesis,
                           "refined: full-resolution matches of the last frame and of\n"
                           "neighbours are taken where they are better; searched: others\n"
