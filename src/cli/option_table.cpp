@@ -200,18 +200,19 @@ void addFiles(Table& table) {
 
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
-  table.add({"--preset", kLook, "NAME",
-             "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
-             "defaults; other options change each\n(default standard; thesis §4.5, paper table 1)",
-             false, [](CommandLine& line, const std::string& value) {
-               if (value == "thesis") {
-                 applyThesisPreset(line.options);
-               } else if (value == "paper") {
-                 applyPaperPreset(line.options);
-               } else if (value != "standard") {
-                 throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
-               }
-             }});
+  table.add(
+      {"--preset", kLook, "NAME",
+       "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
+       "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
+       false, [](CommandLine& line, const std::string& value) {
+         if (value == "thesis") {
+           applyThesisPreset(line.options);
+         } else if (value == "paper") {
+           applyPaperPreset(line.options);
+         } else if (value != "standard") {
+           throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
+         }
+       }});
 }
 
 void addSequences(Table& table) {
