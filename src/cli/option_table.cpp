@@ -255,10 +255,12 @@ void addMasksAndMotion(Table& table) {
   table.real("--mask-threshold", kMasks, "inside is what the smoothed mask has from here up", "",
              ranges::kThresholds, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.maskThreshold; });
-  table.real("--time-blur-sigma", kMasks, "smoothing of the edges' movement in time", "frames",
+  table.real("--time-blur-sigma", kMasks,
+             "smoothing of the edges' movement in time; not of given flow", "frames",
              ranges::kTimeSigmasFrames, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.timeBlurSigmaFrames; });
-  table.real("--flow-blur-sigma", kMasks, "smoothing of the movement itself in time", "frames",
+  table.real("--flow-blur-sigma", kMasks,
+             "smoothing of the movement itself in time; not of given flow", "frames",
              ranges::kTimeSigmasFrames, "paper App. A: 1.5",
              [](CommandLine& c) -> float& { return c.options.flowBlurSigmaFrames; });
   table.word<MotionModel>("--motion-model", kMasks,
