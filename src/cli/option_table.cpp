@@ -175,10 +175,12 @@ void addFiles(Table& table) {
   table.pattern(
       "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
       [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
-  table.optionalPattern(
-      "--src-flow-path", "the exemplar's motion, .flo or KITTI PNG, not derived from masks",
-      "paper §3",
-      [](CommandLine& c) -> std::optional<std::string>& { return c.options.sourceFlowPath; });
+  table.optionalPattern("--src-flow-path",
+                        "the exemplar's motion, .flo or KITTI PNG, not derived from\n"
+                        "masks; unknown vectors count as 0: fill holes before",
+                        "paper §3", [](CommandLine& c) -> std::optional<std::string>& {
+                          return c.options.sourceFlowPath;
+                        });
   table.optionalPattern(
       "--target-flow-path", "the same for the animation", "paper §3",
       [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
