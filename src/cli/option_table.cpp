@@ -139,7 +139,9 @@ class Table {
                  const std::string& automaticValue, const Range& range, const char* section,
                  Field<std::optional<float>> field) {
     const std::string option = name;
-    specs_.push_back({option, group, "X", what + facts(automaticValue, "px", range.text(), section),
+    specs_.push_back({option, group, "X",
+                      std::string(what) + "\n(default " + automaticValue + ";\nin " + range.text() +
+                          " px; " + section + ")",
                       false, [option, range, field](CommandLine& line, const std::string& value) {
                         field(line) = parseFloat(option, value, range);
                       }});
@@ -185,7 +187,9 @@ void addFiles(Table& table) {
       "--target-flow-path", "the same for the animation", "paper §3",
       [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
   table.word<FlowConvention>(
-      "--flow-convention", kFiles, "file n: backward from frame n-1 to n, forward from n to n+1",
+      "--flow-convention", kFiles,
+      "file n is seen on frame n; backward: how it came from n-1;\n"
+      "forward: how it goes on to n+1",
       {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
       "not in the thesis",
       [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
@@ -247,12 +251,12 @@ void addSequences(Table& table) {
 
 void addMasksAndMotion(Table& table) {
   table.automatic("--blur-sigma", kMasks, "smoothing of the masks; 0 is off, thin parts vanish",
-                  numberText(kBlurSigmaShare) + " sqrt(their mean area)", ranges::kSigmasPx,
-                  "thesis §4.1: 8",
+                  numberText(kBlurSigmaShare) + " times the square root of their mean area",
+                  ranges::kSigmasPx, "thesis §4.1: 8",
                   [](CommandLine& c) -> std::optional<float>& { return c.options.blurSigmaPx; });
   table.automatic(
       "--target-blur-sigma", kMasks, "the same for the animation alone, to keep its thin parts",
-      "as --blur-sigma, else likewise", ranges::kSigmasPx, "thesis §4.1",
+      "that of --blur-sigma if given, else by its own masks", ranges::kSigmasPx, "thesis §4.1",
       [](CommandLine& c) -> std::optional<float>& { return c.options.targetBlurSigmaPx; });
   table.real("--mask-threshold", kMasks, "inside is what the smoothed mask has from here up", "",
              ranges::kThresholds, "thesis §4.1",
@@ -287,7 +291,7 @@ void addGuides(Table& table) {
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
   table.automatic("--border-width", kGuides, "width of the border segment",
-                  numberText(kBorderWidthShare) + " sqrt(the film's width x height)",
+                  numberText(kBorderWidthShare) + " times the square root of the film frames' area",
                   ranges::kWidthsPx, "thesis §3.4: 10",
                   [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
   table.word<ShapeGuide>(
@@ -313,10 +317,10 @@ void addGuides(Table& table) {
   const ModulationBounds bounds;
   table.add(
       {"--prev-modulation-bounds", kGuides, "M_U,M_L",
-       "the previous frame counts fully up to m_l, not from m_u on" +
-           facts(numberText(bounds.upper) + " and " + numberText(bounds.lower) +
-                     " of the border width, px",
-                 "", ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7: 10,2"),
+       "the previous frame counts fully up to m_l, not from m_u on\n(default " +
+           numberText(bounds.upper) + " and " + numberText(bounds.lower) +
+           " times the border width;\nin " + ranges::kModulationBoundsPx.text() +
+           " px, m_u > m_l; thesis §3.7: 10,2)",
        false, [](CommandLine& line, const std::string& value) {
          const FloatPair pair =
              parseDescendingPair("--prev-modulation-bounds", value, ranges::kModulationBoundsPx);
