@@ -139,7 +139,9 @@ class Table {
                  const std::string& automaticValue, const Range& range, const char* section,
                  Field<std::optional<float>> field) {
     const std::string option = name;
-    specs_.push_back({option, group, "X", what + facts(automaticValue, "px", range.text(), section),
+    specs_.push_back({option, group, "X",
+                      std::string(what) + "\n(default " + automaticValue + ";\nin " + range.text() +
+                          " px; " + section + ")",
                       false, [option, range, field](CommandLine& line, const std::string& value) {
                         field(line) = parseFloat(option, value, range);
                       }});
@@ -175,15 +177,19 @@ void addFiles(Table& table) {
   table.pattern(
       "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
       [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
-  table.optionalPattern(
-      "--src-flow-path", "the exemplar's motion, .flo or KITTI PNG, not derived from masks",
-      "paper §3",
-      [](CommandLine& c) -> std::optional<std::string>& { return c.options.sourceFlowPath; });
+  table.optionalPattern("--src-flow-path",
+                        "the exemplar's motion, .flo or KITTI PNG, not derived from\n"
+                        "masks; unknown vectors count as 0: fill holes before",
+                        "paper §3", [](CommandLine& c) -> std::optional<std::string>& {
+                          return c.options.sourceFlowPath;
+                        });
   table.optionalPattern(
       "--target-flow-path", "the same for the animation", "paper §3",
       [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
   table.word<FlowConvention>(
-      "--flow-convention", kFiles, "file n: backward from frame n-1 to n, forward from n to n+1",
+      "--flow-convention", kFiles,
+      "file n is seen on frame n; backward: how it came from n-1;\n"
+      "forward: how it goes on to n+1",
       {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
       "not in the thesis",
       [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
@@ -200,18 +206,19 @@ void addFiles(Table& table) {
 
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
-  table.add({"--preset", kLook, "NAME",
-             "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
-             "defaults; other options change each\n(default standard; thesis §4.5, paper table 1)",
-             false, [](CommandLine& line, const std::string& value) {
-               if (value == "thesis") {
-                 applyThesisPreset(line.options);
-               } else if (value == "paper") {
-                 applyPaperPreset(line.options);
-               } else if (value != "standard") {
-                 throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
-               }
-             }});
+  table.add(
+      {"--preset", kLook, "NAME",
+       "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
+       "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
+       false, [](CommandLine& line, const std::string& value) {
+         if (value == "thesis") {
+           applyThesisPreset(line.options);
+         } else if (value == "paper") {
+           applyPaperPreset(line.options);
+         } else if (value != "standard") {
+           throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
+         }
+       }});
 }
 
 void addSequences(Table& table) {
@@ -244,20 +251,22 @@ void addSequences(Table& table) {
 
 void addMasksAndMotion(Table& table) {
   table.automatic("--blur-sigma", kMasks, "smoothing of the masks; 0 is off, thin parts vanish",
-                  numberText(kBlurSigmaShare) + " sqrt(their mean area)", ranges::kSigmasPx,
-                  "thesis §4.1: 8",
+                  numberText(kBlurSigmaShare) + " times the square root of their mean area",
+                  ranges::kSigmasPx, "thesis §4.1: 8",
                   [](CommandLine& c) -> std::optional<float>& { return c.options.blurSigmaPx; });
   table.automatic(
       "--target-blur-sigma", kMasks, "the same for the animation alone, to keep its thin parts",
-      "as --blur-sigma, else likewise", ranges::kSigmasPx, "thesis §4.1",
+      "that of --blur-sigma if given, else by its own masks", ranges::kSigmasPx, "thesis §4.1",
       [](CommandLine& c) -> std::optional<float>& { return c.options.targetBlurSigmaPx; });
   table.real("--mask-threshold", kMasks, "inside is what the smoothed mask has from here up", "",
              ranges::kThresholds, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.maskThreshold; });
-  table.real("--time-blur-sigma", kMasks, "smoothing of the edges' movement in time", "frames",
+  table.real("--time-blur-sigma", kMasks,
+             "smoothing of the edges' movement in time; not of given flow", "frames",
              ranges::kTimeSigmasFrames, "thesis §4.1",
              [](CommandLine& c) -> float& { return c.options.timeBlurSigmaFrames; });
-  table.real("--flow-blur-sigma", kMasks, "smoothing of the movement itself in time", "frames",
+  table.real("--flow-blur-sigma", kMasks,
+             "smoothing of the movement itself in time; not of given flow", "frames",
              ranges::kTimeSigmasFrames, "paper App. A: 1.5",
              [](CommandLine& c) -> float& { return c.options.flowBlurSigmaFrames; });
   table.word<MotionModel>("--motion-model", kMasks,
@@ -282,7 +291,7 @@ void addGuides(Table& table) {
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
   table.automatic("--border-width", kGuides, "width of the border segment",
-                  numberText(kBorderWidthShare) + " sqrt(the film's width x height)",
+                  numberText(kBorderWidthShare) + " times the square root of the film frames' area",
                   ranges::kWidthsPx, "thesis §3.4: 10",
                   [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
   table.word<ShapeGuide>(
@@ -316,10 +325,10 @@ void addGuides(Table& table) {
   const ModulationBounds bounds;
   table.add(
       {"--prev-modulation-bounds", kGuides, "M_U,M_L",
-       "the previous frame counts fully up to m_l, not from m_u on" +
-           facts(numberText(bounds.upper) + " and " + numberText(bounds.lower) +
-                     " of the border width, px",
-                 "", ranges::kModulationBoundsPx.text() + ", m_u > m_l", "thesis §3.7: 10,2"),
+       "the previous frame counts fully up to m_l, not from m_u on\n(default " +
+           numberText(bounds.upper) + " and " + numberText(bounds.lower) +
+           " times the border width;\nin " + ranges::kModulationBoundsPx.text() +
+           " px, m_u > m_l; thesis §3.7: 10,2)",
        false, [](CommandLine& line, const std::string& value) {
          const FloatPair pair =
              parseDescendingPair("--prev-modulation-bounds", value, ranges::kModulationBoundsPx);
@@ -347,13 +356,17 @@ void addSynthesis(Table& table) {
              [](CommandLine& c) -> float& { return c.options.synthesis.patchmatchAlpha; });
   table.integers(
       "--patchmatch-iterations", kSynthesis,
-      "PatchMatch passes per level, coarsest first, the last repeats",
+      "PatchMatch passes per coarser level, coarsest first, the last\n"
+      "repeats; the finest level: see --opt-iterations",
       ranges::kPatchmatchIterations, "thesis §4.5",
       [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.patchmatchIterations; });
-  table.integers(
-      "--opt-iterations", kSynthesis, "search and vote per level, coarsest first, the last repeats",
-      ranges::kOptIterations, "thesis §4.5",
-      [](CommandLine& c) -> std::vector<int>& { return c.options.synthesis.optIterations; });
+  table.integers("--opt-iterations", kSynthesis,
+                 "search and vote per coarser level, coarsest first, the last\n"
+                 "repeats; the finest has one sweep, none where its number is\n"
+                 "0, unless --finest-level says upscaled",
+                 ranges::kOptIterations, "thesis §4.5", [](CommandLine& c) -> std::vector<int>& {
+                   return c.options.synthesis.optIterations;
+                 });
   table.word<FinestLevel>("--finest-level", kSynthesis,
                           "refined: full-resolution matches of the last frame and of\n"
                           "neighbours are taken where they are better; searched: others\n"

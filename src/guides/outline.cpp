@@ -112,13 +112,6 @@ std::vector<std::uint16_t> traced(const Mask& mask, const Step& step) {
 
 }  // namespace
 
-Outline::Outline(const Mask& mask, const Crossings& crossings) {
-  shares_.reserve(countCrossings(mask));
-  forEachCrossing(mask, [&](int x, int y, bool isRight) {
-    shares_.push_back(packed((isRight ? crossings.right : crossings.down)(x, y)));
-  });
-}
-
 Crossings Outline::crossings(const Mask& mask) const {
   Crossings crossings{Image<float>(mask.size()), Image<float>(mask.size())};
   auto share = shares_.begin();

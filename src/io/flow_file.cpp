@@ -37,14 +37,15 @@ constexpr const char* kWanted = "a Middlebury .flo file or a 16-bit RGB PNG file
   return text;
 }
 
+/// @param kind  what the file is as far as known, for the message.
 void readBytes(const InputFile& input, std::uint8_t* bytes, std::size_t count,
-               const std::string& path) {
+               const std::string& path, const char* kind) {
   errno = 0;
   if (std::fread(bytes, 1, count, input.file.get()) == count) return;
   if (std::ferror(input.file.get()) != 0) {
     throw Error(path + ": cannot be read (" + std::generic_category().message(errno) + ")");
   }
-  throw Error(path + ": damaged .flo file (it ends too early)");
+  throw Error(path + ": damaged " + kind + " (it ends too early)");
 }
 
 /// A flow file and what its first bytes say.
@@ -61,7 +62,7 @@ struct FlowInput {
   std::array<std::uint8_t, kHeaderBytes> header{};
   const auto present = static_cast<std::size_t>(
       std::min(flow.input.byteCount, static_cast<std::int64_t>(header.size())));
-  readBytes(flow.input, header.data(), present, path);
+  readBytes(flow.input, header.data(), present, path, "flow file");
   const auto beginsWith = [&](const std::array<std::uint8_t, 4>& magic) {
     return present >= magic.size() && std::memcmp(header.data(), magic.data(), magic.size()) == 0;
   };
@@ -142,7 +143,7 @@ Image<Vec2> readFlow(const std::string& path, Size expected) {
   Image<Vec2> flow(input.size);
   std::vector<std::uint8_t> row(kVectorBytes * static_cast<std::size_t>(flow.width()));
   for (int y = 0; y < flow.height(); ++y) {
-    readBytes(input.input, row.data(), row.size(), path);
+    readBytes(input.input, row.data(), row.size(), path, ".flo file");
     for (int x = 0; x < flow.width(); ++x) {
       flow(x, y) = vectorOf(row.data() + kVectorBytes * static_cast<std::size_t>(x), x, y, path);
     }

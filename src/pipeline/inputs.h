@@ -30,8 +30,8 @@ struct FlowSequence {
   Size stored;
   Size scaled;
   float factor = 1.0F;  ///< of the vectors: the sequence's scale, negative where it is reversed
-  bool seenOnFrame =
-      true;  ///< a frame's own file says how it came about; else that of the frame before
+  /// Whether a frame's own file says how it came about; else that of the frame before does.
+  bool seenOnFrame = true;
 };
 
 /// Everything that is read, checked as far as headers and folders tell.

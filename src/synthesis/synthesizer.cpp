@@ -85,11 +85,12 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
 LevelIterations Synthesizer::iterations(int level) const {
   const int coarsest = exemplar_.levelCount() - 1;
   if (level == 0 && coarsest > 0) {
-    // One sweep: the field is almost settled by then, and the finest level has three times as many
-    // pixels as all others together. Every other frame goes the other way, so that no direction is
-    // preferred.
+    // One sweep, or none: the field is almost settled by then, and the finest level has three times
+    // as many pixels as all others together. Every other frame goes the other way, so that no
+    // direction is preferred.
     const bool searched = options_.finestLevel == FinestLevel::kSearched;
-    return {1, 1, searched ? Candidates::kAll : Candidates::kNeighbors, frame_ % 2};
+    const int sweeps = std::min(valueAt(options_.optIterations, level, coarsest), 1);
+    return {sweeps, 1, searched ? Candidates::kAll : Candidates::kNeighbors, frame_ % 2};
   }
   return {valueAt(options_.optIterations, level, coarsest),
           valueAt(options_.patchmatchIterations, level, coarsest)};

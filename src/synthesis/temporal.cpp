@@ -13,9 +13,9 @@ namespace {
 
 /// A walk along the exemplar's time at one place.
 struct Walk {
-  int frame = 0;           ///< where it ends
-  float movedPx = 0.0F;    ///< movement accumulated on the way
-  bool isStopped = false;  ///< the place leaves the mask, or the sequence ends, right behind
+  int frame = 0;            ///< where it ends
+  float movedPx = 0.0F;     ///< how far from the start the place has moved by then
+  float farthestPx = 0.0F;  ///< the largest distance that it could have moved
 };
 
 /// Walks from `start` in direction `step` (+1 or -1) to the frame at which the motion accumulated
@@ -28,16 +28,17 @@ Walk walk(const ExemplarLevel& exemplar, const Accumulated& accumulated, int x, 
            exemplar.segment(x, y, k + step) != Segment::kOutside;
   };
   const Vec2 origin = accumulated(start)(x, y);
-  Walk best{start, 0.0F, false};
+  Walk best{start, 0.0F, 0.0F};
   float bestError = amountPx;
   for (int k = start; canStepFrom(k); k += step) {
     const float movedPx = length(accumulated(k + step)(x, y) - origin);
+    best.farthestPx = std::max(best.farthestPx, movedPx);
     const float error = std::abs(amountPx - movedPx);
     if (error >= bestError) continue;
     bestError = error;
-    best = {k + step, movedPx, false};
+    best.frame = k + step;
+    best.movedPx = movedPx;
   }
-  best.isStopped = !canStepFrom(best.frame);
   return best;
 }
 
@@ -54,8 +55,10 @@ float moveInTime(const Exemplar& exemplar, float amountPx, Match& match) {
       },
       x, y, match.frame, backwards ? -1 : +1, std::abs(amountPx));
   match.frame = made.frame;
+  // The walk passes the amount within one step of the exemplar, and one end of that step is at most
+  // half of it away. What the exemplar has no movement for would add up without bound.
+  if (made.farthestPx <= std::abs(amountPx)) return 0.0F;
   const float rest = std::abs(amountPx) - made.movedPx;
-  if (made.isStopped && rest > 0.0F) return 0.0F;
   return backwards ? -rest : rest;
 }
 

@@ -35,11 +35,12 @@ int nearestWindow(const NearestNeighborField& nnf, int x, int y) {
 
 /// Averages over the windows that cover a pixel. `wanted(x, y)` tells whether it has to be known,
 /// `read(frame, x, y)` reads the exemplar, `weightOf(dx, dy)` is the weight of a window whose
-/// centre lies that far away.
+/// centre lies that far away, relative to one centred on the pixel itself; where no window has any,
+/// the nearest ones count alike.
 template <typename Wanted, typename Reader, typename WeightOf>
 VotedPicture average(const NearestNeighborField& nnf, const Wanted& wanted, const Reader& read,
                      const WeightOf& weightOf) {
-  constexpr float kNoWeight = 1e-3F;  // of the nearest window's: too little to be seen
+  constexpr float kNoWeight = 1e-3F;  // too little to be seen beside the pixel's own window
   const Size size = nnf.size();
   VotedPicture picture{Image<Lab>(size), Mask(size)};
   forEachRow(size.height, [&](int y) {

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdlib>
 #include <functional>
 #include <locale>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "fluidymation/core/error.h"
@@ -506,21 +509,32 @@ TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
                            "Guides:",
                            "Synthesis:",
                            "Running:",
-                           "(default 0.0125 sqrt(their mean area) px; in [0, 1000]",
+                           "(default 0.0125 times the square root of their mean area;",
+                           "in [0, 1000] px; thesis §4.1: 8)",
                            "(default 0.3; in (0, 0.5]",
                            "(default 0.75; in (0, 0.99]",
-                           "(default 1 and 0.2 of the border width, px;",
+                           "(default 1 and 0.2 times the border width;",
                            "(default 6,4;",
                            "(default 4,3,2;",
                            "(default 50 frames; in [1, 1000000]",
                            "(default 0.1;",
-                           "(default as --blur-sigma, else likewise px;",
+                           "(default that of --blur-sigma if given, else by its own masks;",
                            "OMP_NUM_THREADS",
                            "SLURM_CPUS_PER_TASK",
                            "thesis §3.7"}) {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
   EXPECT_EQ(help.find("\n\n\n"), std::string::npos);
+}
+
+TEST(CommandLine, NoLineOfTheHelpIsLongerThan100Characters) {
+  std::istringstream help(parse({"--help"}).information.value_or(""));
+  for (std::string line; std::getline(help, line);) {
+    const auto characters = std::count_if(line.begin(), line.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // what continues one in UTF-8
+    });
+    EXPECT_LE(characters, 100) << line;
+  }
 }
 
 /// From `begin` on up to the next `end`; all of it where one is not found.

@@ -55,8 +55,7 @@ struct ShapeChange {
 /// Where the gradient vanishes (parts one or two pixels wide) the flow is zero.
 /// @param mask  the frame on which the flow is defined.
 /// @param model  whether parts are also fitted a movement as a whole, so that only what their
-/// border
-///   moves beside it is spread inside.
+///   border moves beside it is spread inside.
 [[nodiscard]] MotionField motionField(const Mask& mask, const ShapeChange& change,
                                       MotionModel model = MotionModel::kNormals);
 

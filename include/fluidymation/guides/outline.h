@@ -26,11 +26,10 @@ struct Crossings {
 class Outline {
  public:
   Outline() = default;
-  Outline(const Mask& mask, const Crossings& crossings);
   /// @param shares  of all crossings in row order, in steps of 2^-16.
   explicit Outline(std::vector<std::uint16_t> shares) : shares_(std::move(shares)) {}
 
-  /// Each within 2^-17 px of what was given.
+  /// Each in the middle of its step.
   /// @param mask  the one the outline was made with.
   [[nodiscard]] Crossings crossings(const Mask& mask) const;
 

@@ -27,13 +27,13 @@ inline constexpr float kLargestMisalignment = 10.0F;
 /// The window therefore holds one blended colour, one weight, and the constant rest.
 struct TargetWindow {
   std::array<Lanes, kPatchArea> value;
-  std::array<Lanes, kPatchArea>
-      weight;  ///< of the squared differences; 0 where a term is undefined
+  /// Of the squared differences; 0 where a term is undefined.
+  std::array<Lanes, kPatchArea> weight;
   std::array<Float4, kPatchArea> swappedHigh;  ///< `value.high` with ext+ and ext- exchanged
   float constant = 0.0F;
   Vec2 direction;  ///< of the target's flow at the centre
-  /// Weight of the directions, which are in `value`; filled only where DistanceWeights::dir is not
-  /// 0.
+  /// Weight of the directions, which are in `value`; filled only where DistanceWeights::dir is
+  /// not 0.
   std::array<float, kPatchArea> directionWeight;
 };
 

@@ -30,9 +30,8 @@ class Synthesizer {
 
   /// Paints the target's next frame; all frames have one size. An empty mask gives an empty
   /// picture, and the frame after it starts afresh.
-  /// @return  the picture in CIELAB, meaningful inside the mask and where the shape covers part of
-  /// a
-  ///   pixel outside it.
+  /// @return  the picture in CIELAB, meaningful inside the mask and where the shape covers part
+  ///   of a pixel outside it.
   [[nodiscard]] Image<Lab> paint(const GuideFrame& frame);
 
   /// Full-resolution matches of the frame painted last.

@@ -24,8 +24,10 @@ namespace fluidymation {
 /// frames in which ages grow, and by none in the others; nothing is owed.
 /// @param target  guides of the new frame, full resolution.
 /// @param owed    if given: movement still to be made, px along the exemplar's time (negative:
-///   backwards); the target's size, or empty at first. Pixels without a match, and those whose walk
-///   was stopped short, owe nothing. A pixel at rest keeps what it owes and its frame.
+///   backwards); the target's size, or empty at first. It is at most half of the exemplar's step
+///   on which the walk passes the movement wanted. Pixels without a match owe nothing, nor do those
+///   whose walk never gets that far: where the exemplar stands still, swings less, or ends. A pixel
+///   at rest keeps what it owes and its frame.
 /// @return  matches for pixels of the new mask that had one before.
 [[nodiscard]] NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
                                          const NearestNeighborField& previous,

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "fluidymation/core/random.h"
 #include "fluidymation/guides/mask.h"
@@ -12,34 +15,43 @@
 namespace fluidymation {
 namespace {
 
-TEST(Outline, KeepsEveryCrossingToHalfAStepOf16Bits) {
+TEST(Outline, HasItsCrossingsInRowOrderTheRightOneFirst) {
   for (const Size size : {Size{1, 1}, Size{1, 9}, Size{9, 1}, Size{23, 17}}) {
     const Mask mask = test::randomMask(size, 4, 50);
-    Crossings crossings{Image<float>(size), Image<float>(size)};
-    std::size_t count = 0;
+    Crossings expected{Image<float>(size), Image<float>(size)};
+    std::vector<std::uint16_t> shares;
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         Random random({7, 0, 0, 0, x, y});
-        const auto share = [&] { return static_cast<float>(random.uniform(0, 1'000'000)) / 1e6F; };
+        const auto addedShare = [&] {
+          shares.push_back(static_cast<std::uint16_t>(random.uniform(0, 65535)));
+          return (static_cast<float>(shares.back()) + 0.5F) / 65536.0F;
+        };
         if (x + 1 < size.width && mask(x, y) != mask(x + 1, y)) {
-          crossings.right(x, y) = share();
-          ++count;
+          expected.right(x, y) = addedShare();
         }
         if (y + 1 < size.height && mask(x, y) != mask(x, y + 1)) {
-          crossings.down(x, y) = share();
-          ++count;
+          expected.down(x, y) = addedShare();
         }
       }
     }
-    const Outline outline(mask, crossings);
+    const std::size_t count = shares.size();
+    const Outline outline(std::move(shares));
     EXPECT_EQ(outline.crossingCount(), count);
     EXPECT_EQ(countCrossings(mask), count);
-    const Crossings again = outline.crossings(mask);
-    constexpr float kHalfStep = 0.5F / 65536.0F;
-    EXPECT_TRUE(test::nearEverywhere(crossings.right, again.right, kHalfStep + 1e-7F));
-    EXPECT_TRUE(test::nearEverywhere(crossings.down, again.down, kHalfStep + 1e-7F));
-    for (const float share : again.right) ASSERT_LT(share, 1.0F);
+    const Crossings found = outline.crossings(mask);
+    EXPECT_TRUE(test::nearEverywhere(expected.right, found.right, 1e-7F));
+    EXPECT_TRUE(test::nearEverywhere(expected.down, found.down, 1e-7F));
   }
+}
+
+TEST(Outline, LiesBetweenTheCentresHoweverNearToOne) {
+  const Outline outline({0, 65535});
+  Mask mask(Size{3, 1});
+  mask(1, 0) = 1;
+  const Crossings crossings = outline.crossings(mask);
+  EXPECT_GT(crossings.right(0, 0), 0.0F);
+  EXPECT_LT(crossings.right(1, 0), 1.0F);
 }
 
 TEST(OutlinedMask, OfAHardMaskIsTheSmoothedMask) {
@@ -64,6 +76,7 @@ TEST(OutlinedMask, OfAHardMaskHasItsOutlineHalfWay) {
     coverage.data()[i] = static_cast<float>(mask.data()[i]);
   }
   const OutlinedMask shape = outlinedMask(coverage, {0.0F, 0.3F});
+  ASSERT_GT(shape.outline.crossingCount(), 0U);
   const Crossings crossings = shape.outline.crossings(shape.mask);
   for (const Image<float>* shares : {&crossings.right, &crossings.down}) {
     for (const float share : *shares) {

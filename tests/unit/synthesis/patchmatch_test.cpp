@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "support/synthetic_scene.h"
 
@@ -233,6 +234,42 @@ TEST_F(PatchMatchTest, SameBytesForAnyNumberOfThreads) {
     }
   }
   omp_set_num_threads(defaultThreads);
+}
+
+TEST_F(PatchMatchTest, NeighboursAloneKeepEveryMatchLegalAndMakeNoPixelWorse) {
+  options_.lambda = 0.0F;
+  NearestNeighborField nnf = randomField();
+  Image<float> before = matchErrors(problem(), weights_, nnf);
+  const double energyAtFirst = energy(nnf);
+  for (int pass = 0; pass < 4; ++pass) {
+    findNearestNeighbors(problem(), weights_, 1, pass, nnf, Candidates::kNeighbors);
+    Image<float> after = matchErrors(problem(), weights_, nnf);
+    for (int y = 0; y < nnf.height(); ++y) {
+      for (int x = 0; x < nnf.width(); ++x) {
+        ASSERT_EQ(nnf(x, y).exists(), target_.inside(x, y));
+        if (!target_.inside(x, y)) continue;
+        ASSERT_TRUE(exemplar_.level(0).isLegal(nnf(x, y), target_.segment(x, y))) << x << ' ' << y;
+        ASSERT_LE(after(x, y), before(x, y)) << "pass " << pass << " at " << x << ", " << y;
+      }
+    }
+    before = std::move(after);
+  }
+  EXPECT_LT(energy(nnf), 0.8 * energyAtFirst);
+}
+
+TEST_F(PatchMatchTest, NeighboursAloneGiveSameBytesForAnyNumberOfThreads) {
+  ASSERT_GT(targetDisc_.size.width, kTileSidePx);
+  ASSERT_GT(targetDisc_.size.height, kTileSidePx);
+  const int defaultThreads = omp_get_max_threads();
+  std::vector<NearestNeighborField> fields;
+  for (const int threads : {1, 4}) {
+    omp_set_num_threads(threads);
+    fields.push_back(randomField());
+    findNearestNeighbors(problem(), weights_, 3, 0, fields.back(), Candidates::kNeighbors);
+  }
+  omp_set_num_threads(defaultThreads);
+  EXPECT_EQ(std::memcmp(fields[0].data(), fields[1].data(), fields[0].pixelCount() * sizeof(Match)),
+            0);
 }
 
 TEST_F(PatchMatchTest, AnotherSeedFindsAnotherField) {

@@ -266,6 +266,35 @@ TEST_F(SynthesizerTest, FullResolutionMatchesOfTheLastFrameCalmTheFinestLevel) {
   EXPECT_LT(searched, 0.6 * upscaled);
 }
 
+TEST_F(SynthesizerTest, NoIterationsAtTheEndOfTheListLeaveTheFinestLevelUnswept) {
+  const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
+  const auto nnfOf = [&](FinestLevel finest, const std::vector<int>& iterations) {
+    SynthesisOptions options = smallOptions();
+    options.finestLevel = finest;
+    options.optIterations = iterations;
+    Synthesizer synthesizer(exemplar, options);
+    (void)synthesizer.paint(other_.guides(0));
+    return synthesizer.nnf().clone();
+  };
+  const auto changes = [](const NearestNeighborField& a, const NearestNeighborField& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.pixelCount(); ++i) {
+      const Match& first = a.data()[i];
+      const Match& second = b.data()[i];
+      count += first.x == second.x && first.y == second.y && first.frame == second.frame ? 0 : 1;
+    }
+    return count;
+  };
+  const int inside = static_cast<int>(countInside(other_.guides(0).mask));
+  const NearestNeighborField upscaled = nnfOf(FinestLevel::kUpscaled, {2, 2, 2, 0});
+  for (const FinestLevel finest : {FinestLevel::kRefined, FinestLevel::kSearched}) {
+    // Only matches that are not legal there are moved; one sweep, however many are asked for
+    EXPECT_LT(changes(upscaled, nnfOf(finest, {2, 2, 2, 0})), 0.25 * inside);
+    EXPECT_GT(changes(upscaled, nnfOf(finest, {2, 2, 2, 1})), 0.4 * inside);
+    EXPECT_EQ(changes(nnfOf(finest, {2, 2, 2, 1}), nnfOf(finest, {2, 2, 2, 5})), 0);
+  }
+}
+
 TEST_F(SynthesizerTest, GuidesAlonePlaceTheMatchesOfAFreshFrame) {
   // Without any search after the first one the field must not know the exemplar's colours
   SynthesisOptions options = smallOptions();

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "fluidymation/core/random.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {
@@ -149,6 +155,103 @@ TEST_F(CarriedMotion, WhatTheExemplarsEndStoppedIsNotOwed) {
   Image<float> owed;
   EXPECT_EQ(frameAfter(100.0F, 1, &owed), 9);
   EXPECT_EQ(owed(0, 0), 0.0F);
+}
+
+/// An exemplar of full frames whose every pixel moves right by `stepsPx[k]` on the way to frame k.
+Exemplar movingExemplar(const std::vector<float>& stepsPx) {
+  const Size size{8, 8};
+  Exemplar exemplar(size, static_cast<int>(stepsPx.size()), 0, 2.0F);
+  const float wholePx = std::accumulate(stepsPx.begin(), stepsPx.end(), 0.0F);
+  float pastPx = 0.0F;
+  for (std::size_t k = 0; k < stepsPx.size(); ++k) {
+    pastPx += stepsPx[k];
+    exemplar.setColor(static_cast<int>(k), Image<Lab>(size));
+    exemplar.setGuides(static_cast<int>(k), {Mask(size, 1),
+                                             Image<float>(size, 5.0F),
+                                             Image<Vec2>(size, Vec2{stepsPx[k], 0.0F}),
+                                             Image<Vec2>(size, Vec2{1.0F, 0.0F}),
+                                             Image<Vec2>(size, Vec2{pastPx, 0.0F}),
+                                             Image<Vec2>(size, Vec2{wholePx - pastPx, 0.0F}),
+                                             SolveReport{},
+                                             {}});
+  }
+  exemplar.finish();
+  return exemplar;
+}
+
+/// One pixel that moves right by `speedPx` per frame, with a match in the middle of
+/// `movingExemplar`.
+class OwedMotion : public ::testing::Test {
+ protected:
+  void step(const Exemplar& exemplar, float speedPx) {
+    const Size one{1, 1};
+    const GuideFrame target{Mask(one, 1),
+                            Image<float>(one, 5.0F),
+                            Image<Vec2>(one, Vec2{speedPx, 0.0F}),
+                            Image<Vec2>(one, Vec2{1.0F, 0.0F}),
+                            Image<Vec2>(one),
+                            Image<Vec2>(one),
+                            SolveReport{},
+                            {}};
+    nnf_ = shift(exemplar, target, nnf_, &owed_);
+  }
+  [[nodiscard]] int frame() const { return nnf_(0, 0).frame; }
+  [[nodiscard]] float owedPx() const { return owed_(0, 0); }
+
+  NearestNeighborField nnf_{Size{1, 1}, Match{4.0F, 4.0F, 0, Rotation{}}};
+  Image<float> owed_;
+};
+
+TEST_F(OwedMotion, AtAStillPlaceIsNothing) {
+  const Exemplar exemplar = movingExemplar(std::vector<float>(40, 0.0F));
+  for (int i = 0; i < 25; ++i) {
+    step(exemplar, 1.0F);
+    ASSERT_EQ(frame(), 0);
+    ASSERT_EQ(owedPx(), 0.0F);
+  }
+  // A search that moves the match to a moving place finds no debt to pay at once
+  const Exemplar moving = movingExemplar(std::vector<float>(40, 1.0F));
+  step(moving, 1.0F);
+  EXPECT_EQ(frame(), 1);
+}
+
+TEST_F(OwedMotion, AtAPlaceThatSwingsDoesNotGrow) {
+  std::vector<float> stepsPx;
+  for (int k = 0; k < 40; ++k) stepsPx.push_back(k % 2 == 0 ? -0.4F : 0.4F);
+  const Exemplar exemplar = movingExemplar(stepsPx);
+  for (int i = 0; i < 25; ++i) {
+    step(exemplar, 1.0F);
+    ASSERT_EQ(owedPx(), 0.0F) << i;
+  }
+}
+
+TEST_F(OwedMotion, KeepsTheTrueSpeedOfSlowTargetsInAMovingRegion) {
+  const Exemplar exemplar = movingExemplar(std::vector<float>(40, 2.0F));
+  for (int i = 1; i <= 100; ++i) {
+    step(exemplar, 0.25F);
+    ASSERT_NEAR(static_cast<float>(frame()), 0.125F * static_cast<float>(i), 0.5F);
+  }
+}
+
+TEST_F(OwedMotion, IsAtMostHalfOfTheStepThatPassesIt) {
+  // Still stretches, long and short steps, and some back
+  std::vector<float> stepsPx;
+  float longestPx = 0.0F;
+  for (int k = 0; k < 200; ++k) {
+    Random random({3, 0, 0, 0, k, 0});
+    const auto drawn = static_cast<float>(random.uniform(-40, 120)) / 40.0F;
+    stepsPx.push_back(k % 7 < 2 ? 0.0F : drawn);
+    longestPx = std::max(longestPx, std::abs(stepsPx.back()));
+  }
+  const Exemplar exemplar = movingExemplar(stepsPx);
+  float mostPx = 0.0F;
+  for (int i = 0; i < 300; ++i) {
+    Random random({4, 0, 0, 0, i, 0});
+    step(exemplar, static_cast<float>(random.uniform(0, 100)) / 100.0F);
+    ASSERT_LE(std::abs(owedPx()), 0.5F * longestPx + 1e-4F) << i;
+    mostPx = std::max(mostPx, std::abs(owedPx()));
+  }
+  EXPECT_GT(mostPx, 0.25F * longestPx);
 }
 
 TEST(SetPrevious, ModulationComparesClampedDistances) {
