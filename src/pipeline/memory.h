@@ -32,12 +32,12 @@ struct RunSize {
 /// motion still to come, a Vec2 each.
 inline constexpr std::int64_t kBytesPerMaskPixel = 16;
 
-/// Bytes kept of a target's mask: `kBytesPerMaskPixel`, and the outline where it is soft.
-[[nodiscard]] std::int64_t bytesKept(const InputMask& mask);
+/// Bytes kept of a target's smoothed masks: `kBytesPerMaskPixel`, and the outlines of soft ones.
+[[nodiscard]] std::int64_t bytesKept(const ShapeTally& target);
 
 /// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
 /// frame at work and the packed masks of the target. `bytesKept` comes on top for the target's
-/// mask pixels and outlines, whose number shows only when the masks are read.
+/// mask pixels and outlines, whose number shows only when the masks are read and smoothed.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 
 /// "3.4 GiB", rounded up.

@@ -195,16 +195,15 @@ void stylize(const Options& given, const Observer& observer) {
       flowReader(inputs.sourceFlow, stopBeforeTheFirst));
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
-  const MaskReader readTarget =
-      countingReader(inputs.target, targetChannel, options.target.path, otherBytes);
   GuideStream guides(
       frameCount,
       [&](int frame) {
         stopBeforeTheFirst();
-        return readTarget(frame);
+        return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopBeforeTheFirst));
+      flowReader(inputs.targetFlow, stopBeforeTheFirst),
+      memoryWatch(options.target.path, frameCount, otherBytes));
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, sourceGuides, observer, exemplar);

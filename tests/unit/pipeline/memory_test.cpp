@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/guides/packed_shape.h"
 #include "fluidymation/presets.h"
 #include "pipeline/inputs.h"
 #include "support/png_maker.h"
@@ -108,6 +111,14 @@ InputMask maskOf(MaskKind kind, Size size) {
   return soft;
 }
 
+/// What readers are told of a single mask.
+ShapeTally tallyOf(const InputMask& mask, const MaskOptions& options) {
+  ShapeTally tally;
+  const auto copy = [&mask](int) { return InputMask(mask.coverage.clone(), mask.soft); };
+  (void)readShapes(1, copy, options, [&tally](const ShapeTally& now) { tally = now; });
+  return tally;
+}
+
 /// A gray 8-bit PNG file.
 test::Bytes pngOf(const InputMask& mask) {
   test::PngSpec spec;
@@ -148,7 +159,8 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     size.shape = paper.synthesis.shape;
   }
   const std::int64_t estimate =
-      bytesOfRun(size) + bytesKept(maskOf(run.kind, run.target)) * run.frames;
+      bytesOfRun(size) +
+      bytesKept(tallyOf(maskOf(run.kind, run.target), {0.0F, 0.5F})) * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
   if (run.kind == MaskKind::kDust) return;  // half of it is outside
@@ -184,30 +196,75 @@ TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(1), "0.1 GiB");
 }
 
-TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
-  const test::SmallScene scene(3);
-  InputSequence masks;
-  masks.stored = masks.scaled = Size{28, 22};
-  std::int64_t insideOfTwo = 0;
-  for (int number = 1; number <= 3; ++number) {
-    masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
-    if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
+/// Frames of such a sequence that are read until the memory watch, with `freeBytes` left for their
+/// masks, refuses it with `message`; all of them where it does not.
+int framesRead(const InputMask& mask, int frameCount, const MaskOptions& options,
+               std::int64_t freeBytes, std::string& message) {
+  int read = 0;
+  const auto reader = [&](int) {
+    ++read;
+    return InputMask(mask.coverage.clone(), mask.soft);
+  };
+  GuideOptions guides;
+  guides.mask = options;
+  const ShapeWatch watch = memoryWatch("t/%d.png", frameCount, kMaxRunBytes - freeBytes);
+  try {
+    const GuideStream stream(frameCount, reader, guides, {}, watch);
+  } catch (const UsageError& error) {
+    message = error.what();
   }
-  const MaskReader read = countingReader(masks, MaskChannel::kBrightness, "t/%d.png",
-                                         kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
-  EXPECT_EQ(countInside(read(0).cut()), countInside(scene.targetMask(1)));
-  EXPECT_EQ(countInside(read(1).cut()), countInside(scene.targetMask(2)));
-  EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
-            "--target-path t/%d.png: the first 3 of 3 frames need about 6.1 GiB of memory; wanted "
-            "at most 6.0 GiB (--target-frames, --target-scale)");
+  return read;
+}
+
+TEST(Memory, SmoothedMasksAreCountedAsTheyAreRead) {
+  struct Case {
+    const char* name;
+    InputMask mask;
+    MaskOptions options;
+    std::int64_t pixels;
+  };
+  const Size size{30, 20};
+  Case cases[] = {
+      {"hard", test::maskOf(size, [](int x, int) { return x < 12; }), {0.0F, 0.5F}, 12 * 20},
+      // A hard edge smoothed by 4 px comes 2 px further out at 0.3
+      {"grown", test::maskOf(size, [](int x, int) { return x < 12; }), {4.0F, 0.3F}, 14 * 20},
+      // Gray of 0.4 is nothing at one half, and everything at 0.3
+      {"gray", InputMask(Image<float>(size, 0.4F), true), {1.0F, 0.3F}, 30 * 20},
+  };
+  for (const Case& tested : cases) {
+    SCOPED_TRACE(tested.name);
+    const std::int64_t bytes = kBytesPerMaskPixel * tested.pixels;
+    std::string message;
+    EXPECT_EQ(framesRead(tested.mask, 3, tested.options, 3 * bytes, message), 3);
+    EXPECT_EQ(message, "");
+    EXPECT_EQ(framesRead(tested.mask, 3, tested.options, 2 * bytes - 1, message), 2);
+    EXPECT_EQ(
+        message,
+        "--target-path t/%d.png: the first 2 of 3 frames need about 6.1 GiB of memory; wanted "
+        "at most 6.0 GiB (--target-frames, --target-scale)");
+  }
 }
 
 TEST(Memory, OfSoftMasksTheOutlineCountsToo) {
   const Mask half = test::maskOf({10, 6}, [](int x, int) { return x < 4; });
-  EXPECT_EQ(bytesKept(half), 24 * kBytesPerMaskPixel);
+  const MaskOptions unsmoothed{0.0F, 0.5F};
+  EXPECT_EQ(bytesKept(tallyOf(half, unsmoothed)), 24 * kBytesPerMaskPixel);
   InputMask soft(half);
   soft.soft = true;
-  EXPECT_EQ(bytesKept(soft), 24 * kBytesPerMaskPixel + 6 * kBytesPerCrossing);
+  EXPECT_EQ(bytesKept(tallyOf(soft, unsmoothed)), 24 * kBytesPerMaskPixel + 6 * kBytesPerCrossing);
+}
+
+TEST(Memory, ASequenceThatTurnsSoftCountsTheOutlinesBeforeToo) {
+  const Mask half = test::maskOf({10, 6}, [](int x, int) { return x < 4; });
+  std::vector<std::int64_t> crossings;
+  const auto reader = [&half](int frame) {
+    InputMask mask(half);
+    mask.soft = frame == 1;
+    return mask;
+  };
+  (void)readShapes(2, reader, {0.0F, 0.5F},
+                   [&](const ShapeTally& tally) { crossings.push_back(tally.crossings); });
+  EXPECT_EQ(crossings, (std::vector<std::int64_t>{0, 12}));
 }
 
 TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
