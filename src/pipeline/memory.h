@@ -12,7 +12,8 @@ namespace fluidymation {
 /// What a run may need: a machine with 8 GiB has to finish it, and some of that is its system's.
 inline constexpr std::int64_t kMaxRunBytes = std::int64_t{6} << 30;
 
-/// What decides about the memory of a run.
+/// What decides about the memory of a run. Rules that are left out are those of a run that is given
+/// none.
 struct RunSize {
   Size exemplar;  ///< as scaled
   int exemplarFrames = 0;
@@ -22,10 +23,10 @@ struct RunSize {
   float timeBlurSigmaFrames = 0.0F;
   Size largestStored;  ///< of all frames read, before scaling
   float flowBlurSigmaFrames = 0.0F;
-  ShapeRules shape{};
+  ShapeRules shape = SynthesisOptions{}.shape;
   Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
   Size targetFlow{};
-  FinestLevel finestLevel = FinestLevel::kUpscaled;
+  FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the

@@ -58,14 +58,39 @@ TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
 }
 
 TEST(Memory, NoMoreThreadsCountThanTilesAreSearched) {
-  const auto bytesFor = [](Size target, int threads) {
-    return bytesOfRun({{1000, 800}, 50, target, 4, threads, 2.0F, {1000, 800}});
+  FinestLevel finestLevel = FinestLevel::kUpscaled;
+  const auto bytesFor = [&finestLevel](Size target, int threads) {
+    RunSize run{{1000, 800}, 50, target, 4, threads, 2.0F, {1000, 800}};
+    run.finestLevel = finestLevel;
+    return bytesOfRun(run);
   };
   EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 1)) << "one tile of half the size";
   EXPECT_LT(bytesFor({128, 128}, 1024), kMaxRunBytes);
   EXPECT_GT(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 7));
   EXPECT_EQ(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 8));
   EXPECT_EQ(bytesFor({9, 700}, 1024), bytesFor({9, 700}, 11)) << "a single level is searched whole";
+  for (const FinestLevel searched : {FinestLevel::kRefined, FinestLevel::kSearched}) {
+    finestLevel = searched;
+    EXPECT_GT(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 3)) << "four tiles of full size";
+    EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 4));
+  }
+}
+
+TEST(Memory, MapsOfAFinestLevelThatIsOnlyUpscaledHaveAQuarterOfThePixels) {
+  for (const int threads : {1, 2, 16}) {
+    SCOPED_TRACE(threads);
+    RunSize run{{400, 300}, 100, {640, 480}, 8, threads, 2.0F, {640, 480}};
+    const std::int64_t byDefault = bytesOfRun(run);
+    run.finestLevel = FinestLevel::kUpscaled;
+    const std::int64_t upscaled = bytesOfRun(run);
+    // Of every pixel of the exemplar 8 bytes, and 4 for each thread
+    const std::int64_t maps = std::int64_t{8 + 4 * threads} * 400 * 300 * 100;
+    EXPECT_EQ(byDefault - upscaled, maps - maps / 4);
+    for (const FinestLevel searched : {FinestLevel::kRefined, FinestLevel::kSearched}) {
+      run.finestLevel = searched;
+      EXPECT_EQ(bytesOfRun(run), byDefault);
+    }
+  }
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -100,7 +125,7 @@ struct FullMaskRun {
   Size target;
   int frames;
   MaskKind kind = MaskKind::kHard;
-  bool byThePaper = false;
+  const char* preset = "standard";
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -129,6 +154,13 @@ test::Bytes pngOf(const InputMask& mask) {
   return test::makePng(spec);
 }
 
+Options optionsOf(const std::string& preset) {
+  Options options;
+  if (preset == "thesis") applyThesisPreset(options);
+  if (preset == "paper") applyPaperPreset(options);
+  return options;
+}
+
 class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
 
 int pixelsOf(Size size) { return size.width * size.height; }
@@ -143,21 +175,18 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     scene.write(test::SmallScene::frame("mask", number), pngOf(maskOf(run.kind, run.source)));
     scene.write(test::SmallScene::frame("target", number), pngOf(maskOf(run.kind, run.target)));
   }
-  const test::ProcessResult result =
-      scene.paint({{"--preset", run.byThePaper ? "paper" : "standard"},
-                   {"--blur-sigma", "0"},
-                   {"--opt-iterations", "0"},
-                   {"--patchmatch-iterations", "1"},
-                   {"--quiet", ""}});
+  const test::ProcessResult result = scene.paint({{"--preset", run.preset},
+                                                  {"--blur-sigma", "0"},
+                                                  {"--opt-iterations", "0"},
+                                                  {"--patchmatch-iterations", "1"},
+                                                  {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
   RunSize size{run.source, run.frames, run.target, run.frames, 1, 1.0F, largest};
-  if (run.byThePaper) {
-    Options paper;
-    applyPaperPreset(paper);
-    size.flowBlurSigmaFrames = paper.flowBlurSigmaFrames;
-    size.shape = paper.synthesis.shape;
-  }
+  const Options options = optionsOf(run.preset);
+  size.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
+  size.shape = options.synthesis.shape;
+  size.finestLevel = options.synthesis.finestLevel;
   const std::int64_t estimate =
       bytesOfRun(size) +
       bytesKept(tallyOf(maskOf(run.kind, run.target), {0.0F, 0.5F})) * run.frames;
@@ -172,8 +201,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
                       FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
                       FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
-                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, true},
-                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, true},
+                      FullMaskRun{
+                          "longThesis", {200, 150}, {40, 40}, 40, MaskKind::kHard, "thesis"},
+                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, "paper"},
+                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
                       FullMaskRun{"target", {40, 40}, {600, 500}, 2},
                       FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
                       FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
