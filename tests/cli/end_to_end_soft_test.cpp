@@ -58,9 +58,12 @@ TEST(EndToEndSoft, TheAlphaOfAStraightEdgeIsItsCoverage) {
   for (int number = 1; number <= 4; ++number) {
     const Image<Rgba> target = readPng(scene.file(SmallScene::frame("target", number)));
     const Image<Rgba> painted = readPng(scene.file(SmallScene::frame("out", number)));
-    // Where the edge leaves the frame its rows are cut short
-    for (int y = 1; y + 1 < kTarget.height; ++y) {
-      for (int x = 1; x + 1 < kTarget.width; ++x) {
+    // Where the edge leaves the frame at a shallow angle its rows are cut short
+    const Vec2 normal = normals[static_cast<std::size_t>(number - 1)];
+    const int marginX = std::abs(normal.x) > 0.7F ? 1 : 0;
+    const int marginY = std::abs(normal.y) > 0.7F ? 1 : 0;
+    for (int y = marginY; y + marginY < kTarget.height; ++y) {
+      for (int x = marginX; x + marginX < kTarget.width; ++x) {
         EXPECT_NEAR(painted(x, y).a, target(x, y).r, 2.01F / 255.0F)
             << number << ": " << x << ", " << y;
       }
