@@ -19,9 +19,10 @@ inline constexpr float kBlurSigmaShare = 0.0125F;
 /// rims of filmed media end.
 inline constexpr float kBorderWidthShare = 0.035F;
 
-/// @param areas  mask pixels of each frame; frames without any do not count.
+/// @param areas  of each frame's mask, px^2: the sum of its coverage, so that faint soft masks
+/// count; frames without any do not.
 /// @return  px, rounded to tenths; 0 when no frame has any.
-[[nodiscard]] float automaticBlurSigmaPx(const std::vector<std::size_t>& areas);
+[[nodiscard]] float automaticBlurSigmaPx(const std::vector<double>& areas);
 
 /// @param exemplar  size as scaled. @return  px, rounded to tenths, at least 1.
 [[nodiscard]] float automaticBorderWidthPx(Size exemplar);

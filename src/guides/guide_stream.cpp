@@ -39,11 +39,11 @@ Image<Vec2> scatter(const Mask& mask, const std::vector<Vec2>& values) {
 }  // namespace
 
 GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-                         const FlowReader& readFlow)
+                         const FlowReader& readFlow, const ShapeWatch& watch)
     : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
-  for (PackedShape& shape : readShapes(frameCount, readMask, options.mask)) {
+  for (PackedShape& shape : readShapes(frameCount, readMask, options.mask, watch)) {
     const Mask mask = shape.mask();
     StoredFrame frame{std::move(shape), {}, {}, {}};
     frame.flow.resize(countInside(mask));  // zero, until the frame turns out to move

@@ -52,6 +52,16 @@ Mask nearDeepPixels(const Image<float>& distance, float limitPx) {
   return near;
 }
 
+/// Pixels inside that are not `thick`.
+Mask thinPixels(const Image<float>& distance, const Mask& thick) {
+  Mask thin(distance.size());
+  std::transform(distance.begin(), distance.end(), thick.begin(), thin.begin(),
+                 [](float d, std::uint8_t isThick) {
+                   return static_cast<std::uint8_t>(d > 0.0F && isThick == 0 ? 1 : 0);
+                 });
+  return thin;
+}
+
 }  // namespace
 
 Image<float> localThickness(const Image<float>& distance, float limitPx) {
@@ -64,12 +74,15 @@ Image<float> localThickness(const Image<float>& distance, float limitPx) {
       thickness(x, y) = thick(x, y) != 0 ? limitPx : std::min(distance(x, y), limitPx);
     }
   }
-  // Thin parts disc by disc
+  // Thin parts disc by disc, as far as discs reach them
+  const Mask thin = thinPixels(distance, thick);
+  if (countInside(thin) == 0) return thickness;
+  const Image<float> toThin = signedDistance(thin);
   for (int y = 0; y < distance.height(); ++y) {
     for (int x = 0; x < distance.width(); ++x) {
       const float depth = distance(x, y);
-      if (depth <= 0.0F || depth >= limitPx || isCovered(distance, x, y)) continue;
-      coverDisc(distance, x, y, depth, thickness);
+      if (depth <= 0.0F || depth >= limitPx || -toThin(x, y) >= depth) continue;
+      if (!isCovered(distance, x, y)) coverDisc(distance, x, y, depth, thickness);
     }
   }
   return thickness;

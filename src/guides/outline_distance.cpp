@@ -107,20 +107,26 @@ class Polygon {
   /// its lower neighbour.
   [[nodiscard]] float toDown(int x, int y, int u, int v) const {
     const Vec2 corner{static_cast<float>(u - x), static_cast<float>(v - y) + crossings_.down(u, v)};
-    return std::min(toPartner(x, y, corner, u - 1, v, Side::kRight),
-                    toPartner(x, y, corner, u, v, Side::kLeft));
+    const bool isLast = u == 0 || u + 1 == mask_.width();
+    return std::min(toPartner(x, y, corner, u - 1, v, Side::kRight, isLast),
+                    toPartner(x, y, corner, u, v, Side::kLeft, isLast));
   }
 
   /// The same between (u, v) and its right neighbour.
   [[nodiscard]] float toRight(int x, int y, int u, int v) const {
     const Vec2 corner{static_cast<float>(u - x) + crossings_.right(u, v),
                       static_cast<float>(v - y)};
-    return std::min(toPartner(x, y, corner, u, v - 1, Side::kBottom),
-                    toPartner(x, y, corner, u, v, Side::kTop));
+    const bool isLast = v == 0 || v + 1 == mask_.height();
+    return std::min(toPartner(x, y, corner, u, v - 1, Side::kBottom, isLast),
+                    toPartner(x, y, corner, u, v, Side::kTop, isLast));
   }
 
  private:
   enum class Side { kTop, kRight, kBottom, kLeft };
+
+  /// How far, px, the outline goes on past its last corner: for the pixels near by, which what lies
+  /// outside the frame cuts. From further away its direction, which is less exact, would show.
+  static float pastTheFrame(Vec2 corner) { return std::clamp(2.0F - length(corner), 0.0F, 1.0F); }
 
   /// Where the segment that enters the square with upper left pixel (u, v) by `side` leaves it.
   [[nodiscard]] Side partner(int u, int v, Side side) const {
@@ -151,7 +157,10 @@ class Polygon {
 
   /// From pixel (x, y) to the segment from `corner`, relative to it, through a square; at the edge
   /// of the image, where there is no square, to the corner.
-  [[nodiscard]] float toPartner(int x, int y, Vec2 corner, int u, int v, Side side) const {
+  /// @param isLast  whether the corner is the outline's last: its segment goes on past the edge of
+  ///   the image.
+  [[nodiscard]] float toPartner(int x, int y, Vec2 corner, int u, int v, Side side,
+                                bool isLast) const {
     if (u < 0 || v < 0 || u + 1 >= mask_.width() || v + 1 >= mask_.height()) {
       return dot(corner, corner);
     }
@@ -173,7 +182,8 @@ class Polygon {
     const Vec2 along = other - corner;
     const float squaredLength = dot(along, along);
     if (squaredLength == 0.0F) return dot(corner, corner);
-    const float share = std::clamp(-dot(corner, along) / squaredLength, 0.0F, 1.0F);
+    const float first = isLast ? -pastTheFrame(corner) / std::sqrt(squaredLength) : 0.0F;
+    const float share = std::clamp(-dot(corner, along) / squaredLength, first, 1.0F);
     const Vec2 nearest = corner + share * along;
     return dot(nearest, nearest);
   }

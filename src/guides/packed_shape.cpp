@@ -52,15 +52,19 @@ void PackedShape::addTo(GuideFrame& guides) const {
 }
 
 std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
-                                    const MaskOptions& options) {
+                                    const MaskOptions& options, const ShapeWatch& watch) {
   // Whether the sequence is soft shows at its first soft mask. Until then both ways are gone.
   std::vector<PackedShape> hard;
   std::vector<PackedShape> soft;
+  ShapeTally hardTally;
+  ShapeTally softTally;
   bool isSoft = false;
   for (int i = 0; i < frameCount; ++i) {
     const InputMask input = readMask(i);
     OutlinedMask shape = outlinedMask(input.coverage, options);
     assert(soft.empty() || shape.mask.size() == soft.front().size());
+    softTally.maskPixels += static_cast<std::int64_t>(countInside(shape.mask));
+    softTally.crossings += static_cast<std::int64_t>(shape.outline.crossingCount());
     isSoft = isSoft || input.soft;
     if (isSoft) {
       hard.clear();
@@ -69,10 +73,13 @@ std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
       const bool smoothsAlike =
           options.blurSigmaPx == 0.0F || options.blurSigmaPx >= kLeastCoverageSigmaPx;
       const bool same = smoothsAlike && !hasPartlyCoveredPixels(input.coverage);
-      hard.push_back(same ? PackedShape(shape.mask)
-                          : PackedShape(smoothMask(input.cut(), options)));
+      const Mask mask = same ? shape.mask.clone() : smoothMask(input.cut(), options);
+      hardTally.maskPixels += static_cast<std::int64_t>(countInside(mask));
+      hard.emplace_back(mask);
     }
     soft.emplace_back(std::move(shape));
+    hardTally.frames = softTally.frames = i + 1;
+    if (watch) watch(isSoft ? softTally : hardTally);
   }
   return isSoft ? std::move(soft) : std::move(hard);
 }

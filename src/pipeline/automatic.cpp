@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace fluidymation {
 namespace {
@@ -12,12 +11,12 @@ float tenths(double value) { return static_cast<float>(std::round(10.0 * value) 
 
 }  // namespace
 
-float automaticBlurSigmaPx(const std::vector<std::size_t>& areas) {
+float automaticBlurSigmaPx(const std::vector<double>& areas) {
   double sum = 0.0;
   double count = 0.0;
-  for (const std::size_t area : areas) {
-    if (area == 0) continue;
-    sum += static_cast<double>(area);
+  for (const double area : areas) {
+    if (area == 0.0) continue;
+    sum += area;
     count += 1.0;
   }
   if (count == 0.0) return 0.0F;

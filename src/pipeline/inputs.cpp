@@ -114,14 +114,12 @@ InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   return {resize(stored, masks.scaled), soft};
 }
 
-MaskReader countingReader(const InputSequence& masks, MaskChannel channel, const std::string& path,
-                          std::int64_t otherBytes) {
-  return [&masks, channel, path, bytes = otherBytes](int frame) mutable {
-    InputMask mask = readMask(masks, channel, frame);
-    bytes += bytesKept(mask);
-    if (bytes <= kMaxRunBytes) return mask;
-    throw UsageError("--target-path " + path + ": the first " + std::to_string(frame + 1) + " of " +
-                     std::to_string(masks.files.count()) + " frames need about " +
+ShapeWatch memoryWatch(const std::string& path, int frameCount, std::int64_t otherBytes) {
+  return [path, frameCount, otherBytes](const ShapeTally& target) {
+    const std::int64_t bytes = otherBytes + bytesKept(target);
+    if (bytes <= kMaxRunBytes) return;
+    throw UsageError("--target-path " + path + ": the first " + std::to_string(target.frames) +
+                     " of " + std::to_string(frameCount) + " frames need about " +
                      gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
                      " (--target-frames, --target-scale)");
   };

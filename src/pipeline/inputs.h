@@ -60,13 +60,13 @@ struct Inputs {
 /// @throws Error naming the file, also when its size is no longer the one found at first.
 [[nodiscard]] InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame);
 
-/// Reads the target's masks and counts what is kept of them: `bytesKept`.
-/// @param masks       must outlive the reader.
+/// Counts what is kept of the target's masks while they are read: `bytesKept`.
 /// @param path        of --target-path, for the message.
+/// @param frameCount  of the target.
 /// @param otherBytes  what the run needs besides.
 /// @return  throws UsageError once the sum is above `kMaxRunBytes`.
-[[nodiscard]] MaskReader countingReader(const InputSequence& masks, MaskChannel channel,
-                                        const std::string& path, std::int64_t otherBytes);
+[[nodiscard]] ShapeWatch memoryWatch(const std::string& path, int frameCount,
+                                     std::int64_t otherBytes);
 
 /// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
 [[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);

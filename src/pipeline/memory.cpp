@@ -126,11 +126,8 @@ std::int64_t bytesOfRun(const RunSize& run) {
   return static_cast<std::int64_t>(kProgramBytes + masks + std::max({flow, reading, painting}));
 }
 
-std::int64_t bytesKept(const InputMask& mask) {
-  const Mask cut = mask.cut();
-  std::int64_t bytes = kBytesPerMaskPixel * static_cast<std::int64_t>(countInside(cut));
-  if (mask.soft) bytes += kBytesPerCrossing * static_cast<std::int64_t>(countCrossings(cut));
-  return bytes;
+std::int64_t bytesKept(const ShapeTally& target) {
+  return kBytesPerMaskPixel * target.maskPixels + kBytesPerCrossing * target.crossings;
 }
 
 std::string gibibytes(std::int64_t bytes) {

@@ -12,7 +12,8 @@ namespace fluidymation {
 /// What a run may need: a machine with 8 GiB has to finish it, and some of that is its system's.
 inline constexpr std::int64_t kMaxRunBytes = std::int64_t{6} << 30;
 
-/// What decides about the memory of a run.
+/// What decides about the memory of a run. Rules that are left out are those of a run that is given
+/// none.
 struct RunSize {
   Size exemplar;  ///< as scaled
   int exemplarFrames = 0;
@@ -22,23 +23,23 @@ struct RunSize {
   float timeBlurSigmaFrames = 0.0F;
   Size largestStored;  ///< of all frames read, before scaling
   float flowBlurSigmaFrames = 0.0F;
-  ShapeRules shape{};
+  ShapeRules shape = SynthesisOptions{}.shape;
   Size exemplarFlow{};  ///< as stored; 0x0 where the flow is derived
   Size targetFlow{};
-  FinestLevel finestLevel = FinestLevel::kUpscaled;
-  bool mayCompareAges = false;  ///< in the place of extents
+  FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
+  bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the
 /// motion still to come, a Vec2 each.
 inline constexpr std::int64_t kBytesPerMaskPixel = 16;
 
-/// Bytes kept of a target's mask: `kBytesPerMaskPixel`, and the outline where it is soft.
-[[nodiscard]] std::int64_t bytesKept(const InputMask& mask);
+/// Bytes kept of a target's smoothed masks: `kBytesPerMaskPixel`, and the outlines of soft ones.
+[[nodiscard]] std::int64_t bytesKept(const ShapeTally& target);
 
 /// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
 /// frame at work and the packed masks of the target. `bytesKept` comes on top for the target's
-/// mask pixels and outlines, whose number shows only when the masks are read.
+/// mask pixels and outlines, whose number shows only when the masks are read and smoothed.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 
 /// "3.4 GiB", rounded up.

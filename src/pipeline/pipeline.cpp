@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,11 +54,12 @@ float automaticSigma(const InputSequence& masks, MaskChannel channel,
   constexpr int kFramesLookedAt = 24;
   const int count = masks.files.count();
   const int looks = std::min(count, kFramesLookedAt);
-  std::vector<std::size_t> areas;
+  std::vector<double> areas;
   for (int i = 0; i < looks; ++i) {
     beforeFrame();
     const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
-    areas.push_back(countInside(readMask(masks, channel, frame).cut()));
+    const Image<float> coverage = readMask(masks, channel, frame).coverage;
+    areas.push_back(std::accumulate(coverage.begin(), coverage.end(), 0.0));
   }
   return automaticBlurSigmaPx(areas);
 }
@@ -94,6 +96,18 @@ void requireMaterial(const Options& options, const GuideStream& guides) {
               std::to_string(guides.frameCount()) +
               " masks are empty after smoothing with --blur-sigma; wanted some material, so "
               "check the masks or lower --blur-sigma");
+}
+
+/// Says so when nothing of the target is going to be painted.
+void tellOfEmptyTarget(const Observer& observer, const Options& options,
+                       const GuideStream& guides) {
+  if (guides.anyInside() || !observer.note) return;
+  observer.note("--target-path " + options.target.path + ": all " +
+                std::to_string(guides.frameCount()) +
+                " masks are empty after smoothing, so nothing is painted; check the masks, "
+                "--target-blur-sigma (now " +
+                numberText(*options.targetBlurSigmaPx) + ") and --mask-threshold (now " +
+                numberText(options.maskThreshold) + "; one half where nothing is smoothed)");
 }
 
 /// How the guides of a sequence are made whose masks are smoothed by this sigma and which moves by
@@ -213,16 +227,16 @@ void stylize(const Options& given, const Observer& observer) {
       flowReader(inputs.sourceFlow, stopBeforeTheFirst));
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
-  const MaskReader readTarget =
-      countingReader(inputs.target, targetChannel, options.target.path, otherBytes);
   GuideStream guides(
       frameCount,
       [&](int frame) {
         stopBeforeTheFirst();
-        return readTarget(frame);
+        return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopBeforeTheFirst));
+      flowReader(inputs.targetFlow, stopBeforeTheFirst),
+      memoryWatch(options.target.path, frameCount, otherBytes));
+  tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);

@@ -29,8 +29,9 @@ class GuideStream {
   /// masks may be empty or full. `frameCount` >= 1.
   /// @param readFlow  replaces the flow derived from the masks, and its smoothing, where it is
   /// given.
+  /// @param watch  told of what is stored, as the masks are read.
   GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-              const FlowReader& readFlow = {});
+              const FlowReader& readFlow = {}, const ShapeWatch& watch = {});
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
 

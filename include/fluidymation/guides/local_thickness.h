@@ -9,7 +9,8 @@ namespace fluidymation {
 /// @param distance  signed distance field, px, positive inside.
 /// @param limitPx   > 0; parts at least this thick are not told apart.
 /// @return  same size, px; at least min(distance, limitPx) inside, 0 outside. Time is linear in the
-///   pixels, times limitPx^2 for those of parts thinner than the limit.
+///   pixels, and in the area of the discs, up to limitPx^2 each, within parts thinner than the
+///   limit and where thick ones reach into them.
 [[nodiscard]] Image<float> localThickness(const Image<float>& distance, float limitPx);
 
 /// The distance to the edge as the edge guide wants it, so that thin parts have a body: where the

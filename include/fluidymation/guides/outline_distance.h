@@ -11,8 +11,12 @@ namespace fluidymation {
 /// The nearest corner of the outline is found exactly and in linear time, by two separable passes
 /// (Felzenszwalb and Huttenlocher 2012), one for the corners on vertical lines between pixel
 /// centres and one for those on horizontal lines; the distance is that to the pieces of the outline
-/// that meet there. Exact on straight outlines near and far.
-/// @param mask  with both sides (asserted). Past the image's edge there is no outline.
+/// that meet there. For the pixels near by, the last piece goes on for a pixel past the image's
+/// edge. Exact on straight outlines near and far, in the outermost pixels too where the outline
+/// crosses the image's edge at more than 45 degrees. At shallower angles its last corner is not
+/// known well, since the coverage it follows from ends there, and within half a pixel of the
+/// image's edge it may have none.
+/// @param mask  with both sides (asserted).
 [[nodiscard]] Image<float> outlineDistance(const Mask& mask, const Outline& outline);
 
 /// From the convention of `outlineDistance` to that of `signedDistance`, between pixel centres: a

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -55,11 +56,22 @@ class PackedShape {
   Outline outline_;  ///< of a soft shape
 };
 
+/// What decides about the memory of the shapes read so far, all of them smoothed.
+struct ShapeTally {
+  int frames = 0;
+  std::int64_t maskPixels = 0;
+  std::int64_t crossings = 0;  ///< of soft shapes
+};
+
+/// Told of the shapes read so far, after each; may throw to end the reading.
+using ShapeWatch = std::function<void(const ShapeTally& tally)>;
+
 /// Reads and smooths all masks of a sequence, which must have one size (asserted). A sequence is
 /// soft when any of its masks is; then all of them keep their sub-pixel outline. Otherwise all are
 /// cut at one half before they are smoothed.
 [[nodiscard]] std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
-                                                  const MaskOptions& options);
+                                                  const MaskOptions& options,
+                                                  const ShapeWatch& watch = {});
 
 /// A shape without an edge within the image has no distance to it.
 [[nodiscard]] bool hasEdge(const Mask& mask);

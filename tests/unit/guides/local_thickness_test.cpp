@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "fluidymation/guides/distance_field.h"
 #include "support/comparison.h"
@@ -78,6 +79,23 @@ TEST(LocalThickness, StopsAtItsLimit) {
   }
   EXPECT_GT(exceptions, 0);
   EXPECT_LT(exceptions, 0.005 * inside);
+}
+
+TEST(LocalThickness, OfThickPartsWithThinOnesIsThatOfAllDiscs) {
+  // A thick disc with a bar that tapers to its right; discs of the one reach into the other
+  const Mask shape = test::maskOf({120, 70}, [](int x, int y) {
+    const bool inDisc = (x - 36) * (x - 36) + (y - 34) * (y - 34) < 30 * 30;
+    return inDisc || (x > 36 && x < 114 && 8 * std::abs(y - 34) < 114 - x + 16);
+  });
+  const Image<float> distance = signedDistance(shape);
+  for (const float limitPx : {5.5F, 12.0F, 25.0F}) {
+    SCOPED_TRACE(limitPx);
+    const Image<float> thickness = localThickness(distance, limitPx);
+    const Image<float> slow = bruteForceThickness(distance, limitPx);
+    EXPECT_TRUE(test::nearEverywhere(slow, thickness, 1.0F));
+    // Where all discs are smaller than the limit there is no error
+    for (int x = 100; x < 116; ++x) EXPECT_NEAR(thickness(x, 34), slow(x, 34), 2e-3F) << x;
+  }
 }
 
 TEST(LocalThickness, OfAnEmptyMaskIsZero) {

@@ -9,7 +9,7 @@ namespace {
 
 TEST(AutomaticWidths, GrowWithTheResolution) {
   for (const int scale : {1, 2, 4}) {
-    const auto area = static_cast<std::size_t>(40'000 * scale * scale);
+    const double area = 40'000.0 * scale * scale;
     EXPECT_FLOAT_EQ(automaticBlurSigmaPx({area, area}), 2.5F * static_cast<float>(scale));
     EXPECT_NEAR(automaticBorderWidthPx({400 * scale, 222 * scale}),
                 10.4F * static_cast<float>(scale), 0.1F * static_cast<float>(scale));

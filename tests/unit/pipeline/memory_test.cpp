@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/guides/packed_shape.h"
 #include "fluidymation/presets.h"
 #include "pipeline/inputs.h"
 #include "support/png_maker.h"
@@ -44,7 +47,7 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.shape.hardSegments = false; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.shape.modulation = ModulationDistance::kUnclamped; }),
             bytes);
-  EXPECT_GT(changed([](RunSize& r) { r.mayCompareAges = true; }), bytes);
+  EXPECT_LT(changed([](RunSize& r) { r.mayCompareAges = false; }), bytes);
 }
 
 TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
@@ -56,14 +59,39 @@ TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
 }
 
 TEST(Memory, NoMoreThreadsCountThanTilesAreSearched) {
-  const auto bytesFor = [](Size target, int threads) {
-    return bytesOfRun({{1000, 800}, 50, target, 4, threads, 2.0F, {1000, 800}});
+  FinestLevel finestLevel = FinestLevel::kUpscaled;
+  const auto bytesFor = [&finestLevel](Size target, int threads) {
+    RunSize run{{1000, 800}, 50, target, 4, threads, 2.0F, {1000, 800}};
+    run.finestLevel = finestLevel;
+    return bytesOfRun(run);
   };
   EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 1)) << "one tile of half the size";
   EXPECT_LT(bytesFor({128, 128}, 1024), kMaxRunBytes);
   EXPECT_GT(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 7));
   EXPECT_EQ(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 8));
   EXPECT_EQ(bytesFor({9, 700}, 1024), bytesFor({9, 700}, 11)) << "a single level is searched whole";
+  for (const FinestLevel searched : {FinestLevel::kRefined, FinestLevel::kSearched}) {
+    finestLevel = searched;
+    EXPECT_GT(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 3)) << "four tiles of full size";
+    EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 4));
+  }
+}
+
+TEST(Memory, MapsOfAFinestLevelThatIsOnlyUpscaledHaveAQuarterOfThePixels) {
+  for (const int threads : {1, 2, 16}) {
+    SCOPED_TRACE(threads);
+    RunSize run{{400, 300}, 100, {640, 480}, 8, threads, 2.0F, {640, 480}};
+    const std::int64_t byDefault = bytesOfRun(run);
+    run.finestLevel = FinestLevel::kUpscaled;
+    const std::int64_t upscaled = bytesOfRun(run);
+    // Of every pixel of the exemplar 8 bytes, and 4 for each thread
+    const std::int64_t maps = std::int64_t{8 + 4 * threads} * 400 * 300 * 100;
+    EXPECT_EQ(byDefault - upscaled, maps - maps / 4);
+    for (const FinestLevel searched : {FinestLevel::kRefined, FinestLevel::kSearched}) {
+      run.finestLevel = searched;
+      EXPECT_EQ(bytesOfRun(run), byDefault);
+    }
+  }
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -98,7 +126,7 @@ struct FullMaskRun {
   Size target;
   int frames;
   MaskKind kind = MaskKind::kHard;
-  bool byThePaper = false;
+  const char* preset = "standard";
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -109,6 +137,14 @@ InputMask maskOf(MaskKind kind, Size size) {
   return soft;
 }
 
+/// What readers are told of a single mask.
+ShapeTally tallyOf(const InputMask& mask, const MaskOptions& options) {
+  ShapeTally tally;
+  const auto copy = [&mask](int) { return InputMask(mask.coverage.clone(), mask.soft); };
+  (void)readShapes(1, copy, options, [&tally](const ShapeTally& now) { tally = now; });
+  return tally;
+}
+
 /// A gray 8-bit PNG file.
 test::Bytes pngOf(const InputMask& mask) {
   test::PngSpec spec;
@@ -117,6 +153,13 @@ test::Bytes pngOf(const InputMask& mask) {
     spec.samples.push_back(static_cast<std::uint16_t>(std::lround(255.0F * c)));
   }
   return test::makePng(spec);
+}
+
+Options optionsOf(const std::string& preset) {
+  Options options;
+  if (preset == "thesis") applyThesisPreset(options);
+  if (preset == "paper") applyPaperPreset(options);
+  return options;
 }
 
 class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
@@ -133,23 +176,21 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     scene.write(test::SmallScene::frame("mask", number), pngOf(maskOf(run.kind, run.source)));
     scene.write(test::SmallScene::frame("target", number), pngOf(maskOf(run.kind, run.target)));
   }
-  const test::ProcessResult result =
-      scene.paint({{"--preset", run.byThePaper ? "paper" : "standard"},
-                   {"--blur-sigma", "0"},
-                   {"--opt-iterations", "0"},
-                   {"--patchmatch-iterations", "1"},
-                   {"--quiet", ""}});
+  const test::ProcessResult result = scene.paint({{"--preset", run.preset},
+                                                  {"--blur-sigma", "0"},
+                                                  {"--opt-iterations", "0"},
+                                                  {"--patchmatch-iterations", "1"},
+                                                  {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
   RunSize size{run.source, run.frames, run.target, run.frames, 1, 1.0F, largest};
-  if (run.byThePaper) {
-    Options paper;
-    applyPaperPreset(paper);
-    size.flowBlurSigmaFrames = paper.flowBlurSigmaFrames;
-    size.shape = paper.synthesis.shape;
-  }
+  const Options options = optionsOf(run.preset);
+  size.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
+  size.shape = options.synthesis.shape;
+  size.finestLevel = options.synthesis.finestLevel;
   const std::int64_t estimate =
-      bytesOfRun(size) + bytesKept(maskOf(run.kind, run.target)) * run.frames;
+      bytesOfRun(size) +
+      bytesKept(tallyOf(maskOf(run.kind, run.target), {0.0F, 0.5F})) * run.frames;
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
   if (run.kind == MaskKind::kDust) return;  // half of it is outside
@@ -161,8 +202,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
                       FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
                       FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
-                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, true},
-                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, true},
+                      FullMaskRun{
+                          "longThesis", {200, 150}, {40, 40}, 40, MaskKind::kHard, "thesis"},
+                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, "paper"},
+                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
                       FullMaskRun{"target", {40, 40}, {600, 500}, 2},
                       FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
                       FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
@@ -185,30 +228,75 @@ TEST(Memory, IsSaidInGibibytesRoundedUp) {
   EXPECT_EQ(gibibytes(1), "0.1 GiB");
 }
 
-TEST(Memory, MaskPixelsAreCountedAsTheyAreRead) {
-  const test::SmallScene scene(3);
-  InputSequence masks;
-  masks.stored = masks.scaled = Size{28, 22};
-  std::int64_t insideOfTwo = 0;
-  for (int number = 1; number <= 3; ++number) {
-    masks.files.paths.push_back(scene.file(test::SmallScene::frame("target", number)));
-    if (number < 3) insideOfTwo += static_cast<std::int64_t>(countInside(scene.targetMask(number)));
+/// Frames of such a sequence that are read until the memory watch, with `freeBytes` left for their
+/// masks, refuses it with `message`; all of them where it does not.
+int framesRead(const InputMask& mask, int frameCount, const MaskOptions& options,
+               std::int64_t freeBytes, std::string& message) {
+  int read = 0;
+  const auto reader = [&](int) {
+    ++read;
+    return InputMask(mask.coverage.clone(), mask.soft);
+  };
+  GuideOptions guides;
+  guides.mask = options;
+  const ShapeWatch watch = memoryWatch("t/%d.png", frameCount, kMaxRunBytes - freeBytes);
+  try {
+    const GuideStream stream(frameCount, reader, guides, {}, watch);
+  } catch (const UsageError& error) {
+    message = error.what();
   }
-  const MaskReader read = countingReader(masks, MaskChannel::kBrightness, "t/%d.png",
-                                         kMaxRunBytes - kBytesPerMaskPixel * insideOfTwo);
-  EXPECT_EQ(countInside(read(0).cut()), countInside(scene.targetMask(1)));
-  EXPECT_EQ(countInside(read(1).cut()), countInside(scene.targetMask(2)));
-  EXPECT_EQ(test::messageOf<UsageError>([&] { (void)read(2); }),
-            "--target-path t/%d.png: the first 3 of 3 frames need about 6.1 GiB of memory; wanted "
-            "at most 6.0 GiB (--target-frames, --target-scale)");
+  return read;
+}
+
+TEST(Memory, SmoothedMasksAreCountedAsTheyAreRead) {
+  struct Case {
+    const char* name;
+    InputMask mask;
+    MaskOptions options;
+    std::int64_t pixels;
+  };
+  const Size size{30, 20};
+  Case cases[] = {
+      {"hard", test::maskOf(size, [](int x, int) { return x < 12; }), {0.0F, 0.5F}, 12 * 20},
+      // A hard edge smoothed by 4 px comes 2 px further out at 0.3
+      {"grown", test::maskOf(size, [](int x, int) { return x < 12; }), {4.0F, 0.3F}, 14 * 20},
+      // Gray of 0.4 is nothing at one half, and everything at 0.3
+      {"gray", InputMask(Image<float>(size, 0.4F), true), {1.0F, 0.3F}, 30 * 20},
+  };
+  for (const Case& tested : cases) {
+    SCOPED_TRACE(tested.name);
+    const std::int64_t bytes = kBytesPerMaskPixel * tested.pixels;
+    std::string message;
+    EXPECT_EQ(framesRead(tested.mask, 3, tested.options, 3 * bytes, message), 3);
+    EXPECT_EQ(message, "");
+    EXPECT_EQ(framesRead(tested.mask, 3, tested.options, 2 * bytes - 1, message), 2);
+    EXPECT_EQ(
+        message,
+        "--target-path t/%d.png: the first 2 of 3 frames need about 6.1 GiB of memory; wanted "
+        "at most 6.0 GiB (--target-frames, --target-scale)");
+  }
 }
 
 TEST(Memory, OfSoftMasksTheOutlineCountsToo) {
   const Mask half = test::maskOf({10, 6}, [](int x, int) { return x < 4; });
-  EXPECT_EQ(bytesKept(half), 24 * kBytesPerMaskPixel);
+  const MaskOptions unsmoothed{0.0F, 0.5F};
+  EXPECT_EQ(bytesKept(tallyOf(half, unsmoothed)), 24 * kBytesPerMaskPixel);
   InputMask soft(half);
   soft.soft = true;
-  EXPECT_EQ(bytesKept(soft), 24 * kBytesPerMaskPixel + 6 * kBytesPerCrossing);
+  EXPECT_EQ(bytesKept(tallyOf(soft, unsmoothed)), 24 * kBytesPerMaskPixel + 6 * kBytesPerCrossing);
+}
+
+TEST(Memory, ASequenceThatTurnsSoftCountsTheOutlinesBeforeToo) {
+  const Mask half = test::maskOf({10, 6}, [](int x, int) { return x < 4; });
+  std::vector<std::int64_t> crossings;
+  const auto reader = [&half](int frame) {
+    InputMask mask(half);
+    mask.soft = frame == 1;
+    return mask;
+  };
+  (void)readShapes(2, reader, {0.0F, 0.5F},
+                   [&](const ShapeTally& tally) { crossings.push_back(tally.crossings); });
+  EXPECT_EQ(crossings, (std::vector<std::int64_t>{0, 12}));
 }
 
 TEST(Memory, ARunThatWouldNotFitIsRefusedFromTheHeaders) {
