@@ -88,7 +88,7 @@ template <std::size_t kTaps, typename WeightsAt>
 class LanczosKernel {
  public:
   static constexpr int kLobes = 3;
-  static constexpr std::size_t kTaps = 2 * kLobes;
+  static constexpr std::size_t kTaps = std::size_t{2} * std::size_t{kLobes};
 
   LanczosKernel() {
     for (std::size_t p = 0; p < weights_.size(); ++p) {
@@ -108,7 +108,7 @@ class LanczosKernel {
 
   /// For a position t in [0, 1] behind the third pixel, to 1/512 px.
   [[nodiscard]] const std::array<float, kTaps>& operator()(float t) const {
-    return weights_[static_cast<std::size_t>(t * kPhases + 0.5F)];
+    return weights_[static_cast<std::size_t>(std::lround(t * kPhases))];
   }
 
  private:
