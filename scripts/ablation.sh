@@ -6,13 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-case ${1:-} in
-  -h | --help)
-    usage
-    exit 0
-    ;;
-  -*) refuse "$1: no such option; see --help" ;;
-esac
+take_no_options "$@"
 [ $# -ge 1 ] && [ $# -le 3 ] || refuse "$# arguments; wanted JUDGE [OUT_DIR] [FRAMES]"
 judge=$1
 out=${2:-output/ablation}

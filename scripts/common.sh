@@ -13,6 +13,17 @@ refuse() {
   exit 2
 }
 
+# For scripts that have no option but --help.
+take_no_options() { # ARGUMENT...
+  case ${1:-} in
+    -h | --help)
+      usage
+      exit 0
+      ;;
+    -*) refuse "$1: no such option; see --help" ;;
+  esac
+}
+
 # Names of the sample exemplars and targets, one a line; the layers of a target as FOLDER/LAYER.
 exemplar_names() { (cd "$samples_source" && for f in */rgb; do echo "${f%/rgb}"; done); }
 target_names() {

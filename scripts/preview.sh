@@ -7,12 +7,7 @@
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/common.sh"
-case ${1:-} in
-  -h | --help)
-    usage
-    exit 0
-    ;;
-esac
+take_no_options "$@"
 if [ $# -lt 2 ] || [ $# -gt 3 ]; then
   refuse "$# arguments; wanted FRAMES_DIR OUT_STEM and perhaps BACKGROUND"
 fi

@@ -4,13 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-case ${1:-} in
-  -h | --help)
-    usage
-    exit 0
-    ;;
-  -*) refuse "$1: no such option; see --help" ;;
-esac
+take_no_options "$@"
 [ $# -le 1 ] || refuse "$# arguments; wanted at most PAINTED_DIR"
 painted=${1:-output/all}
 gallery=("watercolour horse" "watercolour sunflower" "ink horse" "ink squiggle" "rust waving"

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "fluidymation/guides/gaussian.h"
+#include "fluidymation/guides/input_mask.h"
 
 namespace fluidymation {
 namespace {
@@ -35,23 +37,29 @@ Box boundingBox(const Image<T>& mask, int margin) {
           std::min(box.endX + margin, mask.width()), std::min(box.endY + margin, mask.height())};
 }
 
+float coverageOf(std::uint8_t inside) { return inside != 0 ? 1.0F : 0.0F; }
+float coverageOf(float coverage) { return coverage; }
+
+/// Gaussian * image within the box that it reaches, with the box; values of `image` lie in [0, 1].
+/// Nothing happens further away than the kernel reaches. Where the box ends within the image its
+/// last pixels are zero, so that repeating them is as good as the truth.
+template <typename T>
+std::pair<Box, Image<float>> blurredBox(const Image<T>& image, float sigmaPx) {
+  const Box box = boundingBox(image, gaussianReach(sigmaPx));
+  Image<float> within(Size{box.endX - box.beginX, box.endY - box.beginY});
+  for (int y = 0; y < within.height(); ++y) {
+    for (int x = 0; x < within.width(); ++x) {
+      within(x, y) = coverageOf(image(box.beginX + x, box.beginY + y));
+    }
+  }
+  return {box, gaussianBlur(within, sigmaPx)};
+}
+
 }  // namespace
 
 Mask smoothMask(const Mask& mask, const MaskOptions& options) {
-  const int reach = gaussianReach(options.blurSigmaPx);
-  if (reach == 0) return mask.clone();
-
-  // Nothing happens further away from the mask than the kernel reaches. Where the box ends within
-  // the image its last pixels are zero, so that repeating them is as good as the truth.
-  const Box box = boundingBox(mask, reach);
-  Image<float> coverage(Size{box.endX - box.beginX, box.endY - box.beginY});
-  for (int y = 0; y < coverage.height(); ++y) {
-    for (int x = 0; x < coverage.width(); ++x) {
-      coverage(x, y) = mask(box.beginX + x, box.beginY + y) != 0 ? 1.0F : 0.0F;
-    }
-  }
-  coverage = gaussianBlur(coverage, options.blurSigmaPx);
-
+  if (gaussianReach(options.blurSigmaPx) == 0) return mask.clone();
+  const auto [box, coverage] = blurredBox(mask, options.blurSigmaPx);
   Mask smooth(mask.size());
   for (int y = 0; y < coverage.height(); ++y) {
     for (int x = 0; x < coverage.width(); ++x) {
@@ -62,28 +70,23 @@ Mask smoothMask(const Mask& mask, const MaskOptions& options) {
 }
 
 Image<float> smoothCoverage(const Image<float>& coverage, float sigmaPx) {
-  const int reach = gaussianReach(sigmaPx);
-  if (reach == 0) return coverage.clone();
-  const Box box = boundingBox(coverage, reach);  // as for masks
-  const int width = box.endX - box.beginX;
-  Image<float> within(Size{width, box.endY - box.beginY});
-  for (int y = 0; y < within.height(); ++y) {
-    std::copy_n(coverage.row(box.beginY + y) + box.beginX, width, within.row(y));
-  }
-  within = gaussianBlur(within, sigmaPx);
+  if (gaussianReach(sigmaPx) == 0) return coverage.clone();
+  const auto [box, blurred] = blurredBox(coverage, sigmaPx);
   Image<float> smooth(coverage.size());
-  for (int y = 0; y < within.height(); ++y) {
-    std::copy_n(within.row(y), width, smooth.row(box.beginY + y) + box.beginX);
+  for (int y = 0; y < blurred.height(); ++y) {
+    std::copy_n(blurred.row(y), blurred.width(), smooth.row(box.beginY + y) + box.beginX);
   }
   return smooth;
 }
 
 Image<float> blurredMask(const Mask& mask, float radiusPx) {
   constexpr float kReachSigmas = 3.0F;
-  Image<float> coverage(mask.size());
-  std::transform(mask.begin(), mask.end(), coverage.begin(),
-                 [](std::uint8_t inside) { return inside != 0 ? 1.0F : 0.0F; });
-  return gaussianBlur(coverage, radiusPx / kReachSigmas);
+  return gaussianBlur(InputMask(mask).coverage, radiusPx / kReachSigmas);
+}
+
+bool hasEdge(const Mask& mask) {
+  const std::size_t inside = countInside(mask);
+  return inside != 0 && inside != mask.pixelCount();
 }
 
 PackedMask::PackedMask(const Mask& mask)

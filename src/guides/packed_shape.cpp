@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/edge_coverage.h"
 #include "fluidymation/guides/motion.h"
 #include "fluidymation/guides/outline_distance.h"
 
@@ -18,19 +19,6 @@ bool hasPartlyCoveredPixels(const Image<float>& coverage) {
 }
 
 }  // namespace
-
-InputMask::InputMask(const Mask& mask) : coverage(mask.size()) {
-  std::transform(mask.begin(), mask.end(), coverage.begin(),
-                 [](std::uint8_t m) { return m != 0 ? 1.0F : 0.0F; });
-}
-
-Mask InputMask::cut() const {
-  constexpr float kInsideCoverage = 0.5F;
-  Mask mask(coverage.size());
-  std::transform(coverage.begin(), coverage.end(), mask.begin(),
-                 [](float c) { return static_cast<std::uint8_t>(c >= kInsideCoverage ? 1 : 0); });
-  return mask;
-}
 
 Image<float> PackedShape::edgeDistance() const {
   const Mask here = mask();
@@ -82,11 +70,6 @@ std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
     if (watch) watch(isSoft ? softTally : hardTally);
   }
   return isSoft ? std::move(soft) : std::move(hard);
-}
-
-bool hasEdge(const Mask& mask) {
-  const std::size_t inside = countInside(mask);
-  return inside != 0 && inside != mask.pixelCount();
 }
 
 }  // namespace fluidymation

@@ -10,6 +10,7 @@
 #include "fluidymation/io/flow_file.h"
 
 namespace fluidymation {
+
 FlowSequence openFlowSequence(const std::string& path, const std::string& option,
                               FlowConvention convention, const SequenceOptions& sequence,
                               const InputSequence& masks) {

@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fluidymation/automatic.h"
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
@@ -22,6 +20,7 @@
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
+#include "pipeline/automatic_widths.h"
 #include "pipeline/flow_note.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
@@ -45,48 +44,6 @@ void tellOfFlow(const Observer& observer, const std::string& option, int frameNu
                 const GuideFrame& frame) {
   const std::optional<std::string> note = flowNote(option, frameNumber, frame.diffusion);
   if (note && observer.note) observer.note(*note);
-}
-
-/// The mean-area rule's sigma for a sequence of masks. Looks at no more than kFramesLookedAt of
-/// them, evenly spread: they are decoded once more for it.
-float automaticSigma(const InputSequence& masks, MaskChannel channel,
-                     const std::function<void()>& beforeFrame) {
-  constexpr int kFramesLookedAt = 24;
-  const int count = masks.files.count();
-  const int looks = std::min(count, kFramesLookedAt);
-  std::vector<double> areas;
-  for (int i = 0; i < looks; ++i) {
-    beforeFrame();
-    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
-    const Image<float> coverage = readMask(masks, channel, frame).coverage;
-    areas.push_back(std::accumulate(coverage.begin(), coverage.end(), 0.0));
-  }
-  return automaticBlurSigmaPx(areas);
-}
-
-/// Gives a value to every width that the user has left open.
-void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskChannel targetChannel,
-                         const std::function<void()>& beforeFrame, Options& options) {
-  if (!options.targetBlurSigmaPx) {
-    options.targetBlurSigmaPx = options.blurSigmaPx
-                                    ? *options.blurSigmaPx
-                                    : automaticSigma(inputs.target, targetChannel, beforeFrame);
-  }
-  if (!options.blurSigmaPx) {
-    options.blurSigmaPx = automaticSigma(inputs.sourceMask, sourceChannel, beforeFrame);
-  }
-  if (!options.borderWidthPx) options.borderWidthPx = automaticBorderWidthPx(inputs.color.scaled);
-}
-
-/// Tells the user what has been found, in words that can be given as options.
-void tellOfWidths(const Observer& observer, const Options& given, const Options& found) {
-  std::string text;
-  if (!given.blurSigmaPx) text += " --blur-sigma " + numberText(*found.blurSigmaPx);
-  if (!given.targetBlurSigmaPx && !given.blurSigmaPx) {
-    text += " --target-blur-sigma " + numberText(*found.targetBlurSigmaPx);
-  }
-  if (!given.borderWidthPx) text += " --border-width " + numberText(*found.borderWidthPx);
-  if (!text.empty() && observer.note) observer.note("chosen by size:" + text);
 }
 
 /// @throws Error when no mask of the exemplar holds any material.
@@ -216,7 +173,8 @@ void stylize(const Options& given, const Observer& observer) {
   const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
   const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
-  tellOfWidths(observer, given, options);
+  const std::string chosen = chosenWidths(given, options);
+  if (!chosen.empty() && observer.note) observer.note("chosen by size:" + chosen);
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {

@@ -75,8 +75,7 @@ class TileSweep {
  public:
   /// @param before      all matches as they were before the sweep.
   /// @param occurrence  all uses as of before the sweep.
-  /// @param ownChanges  scratch: all zero before and after; the tile's own changes during the
-  /// sweep.
+  /// @param ownChanges  scratch, all zero before and after: the tile's own changes meanwhile.
   /// @param errors      patch distances, without uniformity term, of the matches in `nnf`.
   TileSweep(const SearchProblem& problem, const PatchDistance& distance,
             const UniformityScale& uniformity, const NearestNeighborField& before,

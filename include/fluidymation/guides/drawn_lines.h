@@ -7,7 +7,7 @@
 
 namespace fluidymation {
 
-// What tells lines being drawn from all other animations; docs/method.md has figures.
+// What tells lines being drawn from all other animations; docs/decisions.md has figures.
 
 /// Uncovered pixels for each newly covered one, at most: material stays.
 inline constexpr double kLargestRecession = 0.05;

@@ -27,8 +27,7 @@ class GuideStream {
  public:
   /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
   /// masks may be empty or full. `frameCount` >= 1.
-  /// @param readFlow  replaces the flow derived from the masks, and its smoothing, where it is
-  /// given.
+  /// @param readFlow  where given, replaces the flow derived from the masks, and its smoothing.
   /// @param watch  told of what is stored, as the masks are read.
   GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
               const FlowReader& readFlow = {}, const ShapeWatch& watch = {});

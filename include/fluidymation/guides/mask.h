@@ -19,6 +19,9 @@ namespace fluidymation {
 /// kernel reaches `radiusPx` = 3 sigma; past the image edge the edge repeats.
 [[nodiscard]] Image<float> blurredMask(const Mask& mask, float radiusPx);
 
+/// Whether the mask has both sides: a shape without an edge within the image has no distance to it.
+[[nodiscard]] bool hasEdge(const Mask& mask);
+
 /// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
 class PackedMask {
  public:

@@ -10,9 +10,8 @@ class TargetAges {
  public:
   /// @param mask  of the next frame; all have one size.
   /// @return  for each mask pixel the frames since it was covered, 0 in the frame that covers it
-  /// and
-  ///   in the first one; 0 outside. Frames whose mask is that of the frame before, a hold, do not
-  ///   count.
+  ///   and in the first one; 0 outside. Frames whose mask is that of the frame before, a hold, do
+  ///   not count.
   [[nodiscard]] Image<float> next(const Mask& mask);
 
   /// Whether what stayed covered is older in the last frame than in the one before it.

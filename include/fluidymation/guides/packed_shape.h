@@ -6,31 +6,12 @@
 #include <vector>
 
 #include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/guides/input_mask.h"
 #include "fluidymation/guides/mask.h"
 #include "fluidymation/guides/outline.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
-
-/// A mask as read from the user, before smoothing.
-struct InputMask {
-  InputMask() = default;
-  InputMask(Image<float> coverageOfPixels, bool isSoft)
-      : coverage(std::move(coverageOfPixels)), soft(isSoft) {}
-  /// A hard one.
-  InputMask(const Mask& mask);  // NOLINT: a mask is an input mask
-
-  /// Cut at one half.
-  [[nodiscard]] Mask cut() const;
-
-  Image<float> coverage;  ///< how much of each pixel lies inside, in [0, 1]
-  /// Whether any pixel was stored as partly covered. Hard masks, which are not, may have partly
-  /// covered pixels too, once they are scaled.
-  bool soft = false;
-};
-
-/// Gives the mask of frame i (0-based). Called once for every frame, in order.
-using MaskReader = std::function<InputMask(int frame)>;
 
 /// The smoothed shape of one frame of a long sequence that waits for its turn: one bit a pixel, and
 /// of a soft sequence the sub-pixel outline.
@@ -72,8 +53,5 @@ using ShapeWatch = std::function<void(const ShapeTally& tally)>;
 [[nodiscard]] std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
                                                   const MaskOptions& options,
                                                   const ShapeWatch& watch = {});
-
-/// A shape without an edge within the image has no distance to it.
-[[nodiscard]] bool hasEdge(const Mask& mask);
 
 }  // namespace fluidymation

@@ -39,7 +39,7 @@ inline constexpr float kHalfExtentShare = 1.0F;
 /// Where ages are compared in the place of extents: the channel of the oldest material of the film.
 /// With the extents' 5, at the same --flow-weight, the film's whole life costs no more than a
 /// colour error of 2.7: what is new keeps the colours of the old paint beside it. With 20 the brush
-/// is fresh in the pictures (docs/method.md has figures).
+/// is fresh in the pictures (docs/decisions.md has figures).
 inline constexpr float kLargestAge = 20.0F;
 
 /// How a motion extent, px, becomes a channel.

@@ -18,7 +18,7 @@ struct LevelIterations {
   int optimization = 0;  ///< search and vote, in turn
   int patchmatch = 0;    ///< sweeps of one search
   Candidates candidates = Candidates::kAll;
-  int firstPass = 0;  ///< number of the first sweep, even: row order
+  int firstPass = 0;  ///< number of the first sweep: even ones go in row order, odd ones backwards
 };
 
 /// Paints a target frame by frame: Algorithm 2 of the thesis (§3.9, §4.2).

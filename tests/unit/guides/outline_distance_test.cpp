@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fluidymation/guides/distance_field.h"
+#include "fluidymation/guides/edge_coverage.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/guides/motion.h"
 #include "support/comparison.h"
