@@ -179,9 +179,7 @@ ProcessResult paintSmoothedBySize(const SmallScene& scene, const std::string& ma
   ToolOptions options = SmallScene::defaults();
   options.erase("--blur-sigma");
   options["--mask-threshold"] = maskThreshold;
-  ProcessSetup setup;
-  setup.workingFolder = scene.file(".");
-  return runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
+  return scene.paintWithoutDefaults(options);
 }
 
 TEST(EndToEndSoft, FaintMasksArePaintedWhereTheThresholdTakesThemIn) {
