@@ -214,20 +214,16 @@ TEST(EndToEndOutput, TheDumpNeverOverwritesAnInput) {
   }
   const auto before = contentOf(scene);
   for (const std::string folder : {"dump", "./src/../dump", "fresh/../dump"}) {
-    const ToolOptions masks = {{"--src-mask-path", "dump/source/%05d.mask.png"},
-                               {"--dump-guides", folder}};
-    EXPECT_TRUE(failedWith(2,
-                           "--dump-guides " + folder + ": " + folder +
-                               "/source/00001.mask.png is an input and would be overwritten; "
-                               "choose another folder",
-                           scene.paint(quietly(masks))));
-    const ToolOptions target = {{"--target-path", "dump/target/%05d.mask.png"},
-                                {"--dump-guides", folder}};
-    EXPECT_TRUE(failedWith(2,
-                           "--dump-guides " + folder + ": " + folder +
-                               "/target/00001.mask.png is an input and would be overwritten; "
-                               "choose another folder",
-                           scene.paint(quietly(target))));
+    for (const auto& [option, sequence] : std::map<std::string, std::string>{
+             {"--src-mask-path", "source"}, {"--target-path", "target"}}) {
+      const ToolOptions options = {{option, "dump/" + sequence + "/%05d.mask.png"},
+                                   {"--dump-guides", folder}};
+      EXPECT_TRUE(failedWith(2,
+                             "--dump-guides " + folder + ": " + folder + "/" + sequence +
+                                 "/00001.mask.png is an input and would be overwritten; choose "
+                                 "another folder",
+                             scene.paint(quietly(options))));
+    }
     EXPECT_TRUE(contentOf(scene) == before) << folder;
   }
 }
