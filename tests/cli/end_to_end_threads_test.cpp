@@ -26,6 +26,8 @@ TEST(EndToEndFrames, ThreadsChangeNoByte) {
 }
 
 TEST(EndToEndFrames, ThreadsThatCannotBeStartedAreRefusedBeforeAnythingElse) {
+  // A sanitizer reserves far more address space than the limit set below, so that the program could
+  // not even start: only a build without one can tell.
   if (kSanitized) GTEST_SKIP() << "sanitizers need terabytes of address space";
   const SmallScene scene(1);
   ProcessSetup setup;

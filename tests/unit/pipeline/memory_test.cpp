@@ -156,6 +156,7 @@ class MemoryOfFullMasks : public ::testing::TestWithParam<FullMaskRun> {};
 int pixelsOf(Size size) { return size.width * size.height; }
 
 TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
+  // The estimate is of the program's own memory, what the system measures holds a sanitizer's too.
   if (test::kSanitized) GTEST_SKIP() << "sanitizers keep shadow memory and what was freed";
   const FullMaskRun& run = GetParam();
   const test::SmallScene scene(0);
