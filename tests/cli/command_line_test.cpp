@@ -1,149 +1,21 @@
+// What the command line is read as, and what it is refused for.
+
 #include "cli/command_line.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include <algorithm>
 #include <clocale>
-#include <cstdlib>
-#include <functional>
 #include <locale>
-#include <sstream>
 #include <string>
-#include <vector>
 
+#include "cli/command_line_arguments.h"
 #include "fluidymation/core/error.h"
+#include "support/environment.h"
 #include "support/temporary_folder.h"
 
 namespace fluidymation::cli {
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-const Arguments kRequired = {"--src-path",    "s/%d.png", "--src-mask-path", "m/%d.png",
-                             "--target-path", "t/%d.png", "--out-path",      "o/%d.png"};
-
-CommandLine parse(const Arguments& arguments) {
-  std::vector<const char*> argv = {"fluidymation"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return parseCommandLine(static_cast<int>(argv.size()), argv.data());
-}
-
-/// With the four required options before `more`.
-Arguments complete(const Arguments& more) {
-  Arguments arguments = kRequired;
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-std::string complaint(const Arguments& arguments) {
-  return test::messageOf<UsageError>([&] { (void)parse(arguments); });
-}
-
-/// A variable of the environment for the time of a test.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    if (value != nullptr) {
-      setenv(name, value, 1);
-    } else {
-      unsetenv(name);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() {
-    if (before_) {
-      setenv(name_, before_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
-struct Reaching {
-  const char* option;
-  const char* value;
-  std::function<bool(const CommandLine&)> reached;
-};
-
-using C = const CommandLine&;
-using List = std::vector<int>;
-
-/// Every option that takes a value, with a value that is not its default.
-const std::vector<Reaching>& reachingOptions() {
-  static const std::vector<Reaching> options = {
-      {"--src-start", "-3", [](C c) { return c.options.source.start == -3; }},
-      {"--src-frames", "7", [](C c) { return c.options.source.frames == 7; }},
-      {"--src-speed", "-1", [](C c) { return c.options.source.speed == -1; }},
-      {"--src-scale", "0.5", [](C c) { return c.options.source.scale == 0.5; }},
-      {"--target-start", "0", [](C c) { return c.options.target.start == 0; }},
-      {"--target-frames", "1000000", [](C c) { return c.options.target.frames == 1000000; }},
-      {"--target-speed", "2", [](C c) { return c.options.target.speed == 2; }},
-      {"--target-scale", "16", [](C c) { return c.options.target.scale == 16.0; }},
-      {"--blur-sigma", "0", [](C c) { return c.options.blurSigmaPx == 0.0F; }},
-      {"--target-blur-sigma", "1e1", [](C c) { return c.options.targetBlurSigmaPx == 10.0F; }},
-      {"--mask-threshold", ".5", [](C c) { return c.options.maskThreshold == 0.5F; }},
-      {"--time-blur-sigma", "1.25", [](C c) { return c.options.timeBlurSigmaFrames == 1.25F; }},
-      {"--flow-blur-sigma", "1.5", [](C c) { return c.options.flowBlurSigmaFrames == 1.5F; }},
-      {"--dir-weight", "1", [](C c) { return c.options.synthesis.dirWeight == 1.0F; }},
-      {"--shape-guide", "blurred",
-       [](C c) { return c.options.synthesis.shape.guide == ShapeGuide::kBlurredMask; }},
-      {"--segments", "none", [](C c) { return !c.options.synthesis.shape.hardSegments; }},
-      {"--tex-weight", "2", [](C c) { return c.options.synthesis.texWeight == 2.0F; }},
-      {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
-      {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
-      {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
-      {"--lambda", "1.5", [](C c) { return c.options.synthesis.lambda == 1.5F; }},
-      {"--occ-radius", "5", [](C c) { return c.options.synthesis.occRadiusFrames == 5; }},
-      {"--patchmatch-alpha", "0.5",
-       [](C c) { return c.options.synthesis.patchmatchAlpha == 0.5F; }},
-      {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
-      {"--prev-modulation-bounds", "7.5,0",
-       [](C c) {
-         const ModulationBounds& bounds = c.options.synthesis.prevModulation;
-         return bounds.upper == 7.5F && bounds.lower == 0.0F &&
-                bounds.unit == ModulationUnit::kPixels;
-       }},
-      {"--patchmatch-iterations", "3",
-       [](C c) { return c.options.synthesis.patchmatchIterations == List{3}; }},
-      {"--opt-iterations", "5,0,1,2",
-       [](C c) {
-         return c.options.synthesis.optIterations == List{5, 0, 1, 2};
-       }},
-      {"--motion-model", "rigid",
-       [](C c) { return c.options.motionModel == MotionModel::kRigidParts; }},
-      {"--new-material", "fresh", [](C c) { return c.options.newMaterial == NewMaterial::kFresh; }},
-      {"--new-material", "plain", [](C c) { return c.options.newMaterial == NewMaterial::kPlain; }},
-      {"--thin-parts", "fringe",
-       [](C c) { return c.options.synthesis.thinParts == ThinParts::kFringe; }},
-      {"--extent-unit", "px",
-       [](C c) { return c.options.synthesis.extentUnit == ExtentUnit::kPixels; }},
-      {"--carry-motion", "off", [](C c) { return !c.options.synthesis.carriesMotion; }},
-      {"--finest-level", "searched",
-       [](C c) { return c.options.synthesis.finestLevel == FinestLevel::kSearched; }},
-      {"--vote-sigma", "1.5", [](C c) { return c.options.synthesis.paintedVote.sigmaPx == 1.5F; }},
-      {"--vote-interpolation", "bilinear",
-       [](C c) {
-         return c.options.synthesis.paintedVote.interpolation == Interpolation::kBilinear;
-       }},
-      {"--seed", "18446744073709551615",
-       [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
-      {"--threads", "3", [](C c) { return c.options.threads == 3; }},
-      {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},
-      {"--target-flow-path", "g/%d.png",
-       [](C c) { return c.options.targetFlowPath == "g/%d.png"; }},
-      {"--flow-convention", "forward",
-       [](C c) { return c.options.flowConvention == FlowConvention::kForward; }},
-      {"--dump-guides", "d", [](C c) { return c.options.dumpGuidesDirectory == "d"; }},
-  };
-  return options;
-}
 
 TEST(CommandLine, EveryOptionReachesTheOptions) {
   const CommandLine defaults = parse(kRequired);
@@ -163,112 +35,6 @@ TEST(CommandLine, PathsReachTheOptions) {
   EXPECT_EQ(options.sourceMaskPath, "m/%d.png");
   EXPECT_EQ(options.target.path, "t/%d.png");
   EXPECT_EQ(options.outPath, "o/%d.png");
-}
-
-TEST(CommandLine, NumbersAreThoseOfTheThesisInEitherPreset) {
-  for (const char* preset : {"standard", "thesis"}) {
-    SCOPED_TRACE(preset);
-    const Options o = parse(complete({"--preset", preset})).options;
-    for (const SequenceOptions& sequence : {o.source, o.target}) {
-      EXPECT_EQ(sequence.start, 1);
-      EXPECT_EQ(sequence.frames, 50);
-      EXPECT_EQ(sequence.speed, 1);
-      EXPECT_EQ(sequence.scale, 1.0);
-    }
-    EXPECT_FALSE(o.targetBlurSigmaPx);
-    EXPECT_EQ(o.maskThreshold, 0.3F);
-    EXPECT_EQ(o.timeBlurSigmaFrames, 2.0F);
-    EXPECT_EQ(o.flowBlurSigmaFrames, 0.0F);
-    EXPECT_EQ(o.synthesis.shape.guide, ShapeGuide::kEdgeDistance);
-    EXPECT_TRUE(o.synthesis.shape.hardSegments);
-    EXPECT_EQ(o.synthesis.shape.modulation, ModulationDistance::kClamped);
-    EXPECT_EQ(o.synthesis.dirWeight, 0.0F);
-    EXPECT_EQ(o.synthesis.texWeight, 1.0F);
-    EXPECT_EQ(o.synthesis.distWeight, 5.0F);
-    EXPECT_EQ(o.synthesis.flowWeight, 0.1F);
-    EXPECT_EQ(o.synthesis.prevWeight, 1.0F);
-    EXPECT_EQ(o.synthesis.lambda, 2.0F);
-    EXPECT_EQ(o.synthesis.occRadiusFrames, 10);
-    EXPECT_EQ(o.synthesis.patchmatchAlpha, 0.75F);
-    EXPECT_EQ(o.synthesis.patchmatchIterations, (List{6, 4}));
-    EXPECT_EQ(o.synthesis.optIterations, (List{4, 3, 2}));
-    EXPECT_EQ(o.synthesis.seed, 0U);
-    EXPECT_FALSE(o.dumpGuidesDirectory);
-  }
-}
-
-TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
-  const Options all = parse(complete({"--preset", "thesis"})).options;
-  EXPECT_EQ(all.blurSigmaPx, 8.0F);
-  EXPECT_EQ(all.borderWidthPx, 10.0F);
-  EXPECT_EQ(all.motionModel, MotionModel::kNormals);
-  EXPECT_EQ(all.newMaterial, NewMaterial::kPlain);
-  EXPECT_EQ(all.synthesis.thinParts, ThinParts::kFringe);
-  EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
-  EXPECT_FALSE(all.synthesis.carriesMotion);
-  EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
-  EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
-  EXPECT_EQ(all.synthesis.prevModulation.lower, 2.0F);
-  EXPECT_EQ(all.synthesis.prevModulation.unit, ModulationUnit::kPixels);
-  const VoteOptions& thesis = all.synthesis.paintedVote;
-  EXPECT_EQ(thesis.sigmaPx, 0.0F);
-  EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
-  const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
-  EXPECT_NE(standard.sigmaPx, 0.0F);
-  EXPECT_EQ(standard.interpolation, Interpolation::kLanczos);
-  // Before or after it on the command line
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--vote-sigma", "2", "--lambda", "7", "--preset", "thesis"},
-        std::vector<std::string>{"--preset", "thesis", "--lambda", "7", "--vote-sigma", "2"}}) {
-    const SynthesisOptions given = parse(complete(arguments)).options.synthesis;
-    EXPECT_EQ(given.paintedVote.sigmaPx, 2.0F);
-    EXPECT_EQ(given.paintedVote.interpolation, Interpolation::kBilinear);
-    EXPECT_EQ(given.lambda, 7.0F);
-  }
-}
-
-TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
-  const Options o = parse(complete({"--preset", "paper"})).options;
-  const SynthesisOptions& s = o.synthesis;
-  EXPECT_EQ(o.borderWidthPx, 30.0F);
-  EXPECT_EQ(s.occRadiusFrames, 5);
-  EXPECT_EQ(s.distWeight, 4.0F);
-  EXPECT_EQ(s.flowWeight, 0.25F);
-  EXPECT_EQ(s.dirWeight, 1.0F);
-  EXPECT_EQ(s.prevWeight, 4.0F);
-  EXPECT_EQ(s.lambda, 1.0F);
-  EXPECT_EQ(s.prevModulation.upper, 0.1F);
-  EXPECT_EQ(s.prevModulation.lower, 0.01F);
-  EXPECT_EQ(s.prevModulation.unit, ModulationUnit::kTargetSides);
-  EXPECT_EQ(s.shape.guide, ShapeGuide::kBlurredMask);
-  EXPECT_FALSE(s.shape.hardSegments);
-  EXPECT_EQ(s.shape.modulation, ModulationDistance::kUnclamped);
-  EXPECT_EQ(o.timeBlurSigmaFrames, 0.0F);
-  EXPECT_EQ(o.flowBlurSigmaFrames, 1.5F);
-  EXPECT_EQ(s.extentUnit, ExtentUnit::kPixels);
-  // What the paper leaves open is as in the thesis
-  EXPECT_EQ(o.blurSigmaPx, 8.0F);
-  EXPECT_EQ(s.edgeGain, 1.0F);
-  EXPECT_EQ(s.thinParts, ThinParts::kFringe);
-  EXPECT_FALSE(s.carriesMotion);
-  EXPECT_EQ(o.motionModel, MotionModel::kNormals);
-  EXPECT_EQ(o.newMaterial, NewMaterial::kPlain);
-  EXPECT_EQ(s.paintedVote.sigmaPx, 0.0F);
-  EXPECT_EQ(s.paintedVote.interpolation, Interpolation::kBilinear);
-  EXPECT_EQ(s.optIterations, (List{4, 3, 2}));
-}
-
-TEST(CommandLine, OtherOptionsChangeThePaperPreset) {
-  const SynthesisOptions s =
-      parse(complete({"--prev-modulation-bounds", "7,3", "--preset", "paper", "--shape-guide",
-                      "distance", "--segments", "hard", "--dir-weight", "0"}))
-          .options.synthesis;
-  EXPECT_EQ(s.prevModulation.upper, 7.0F);
-  EXPECT_EQ(s.prevModulation.unit, ModulationUnit::kPixels);
-  EXPECT_EQ(s.shape.guide, ShapeGuide::kEdgeDistance);
-  EXPECT_TRUE(s.shape.hardSegments);
-  EXPECT_EQ(s.dirWeight, 0.0F);
-  EXPECT_EQ(s.prevWeight, 4.0F);
 }
 
 TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
@@ -491,77 +257,6 @@ TEST(CommandLine, EveryComplaintIsOneLine) {
   }
 }
 
-TEST(CommandLine, HelpNamesEveryOptionWithDefaultAndRange) {
-  const std::string help = parse({"--help"}).information.value_or("");
-  for (const Reaching& o : reachingOptions()) {
-    EXPECT_NE(help.find("  " + std::string(o.option) + " "), std::string::npos) << o.option;
-  }
-  for (const char* text : {"--src-path PATTERN",
-                           "--src-mask-path PATTERN",
-                           "--target-path PATTERN",
-                           "--out-path PATTERN",
-                           "--quiet",
-                           "--version",
-                           "--help",
-                           "Inputs and outputs:",
-                           "Sequences:",
-                           "Masks and motion:",
-                           "Guides:",
-                           "Synthesis:",
-                           "Running:",
-                           "(default 0.0125 times the square root of their mean area;",
-                           "in [0, 1000] px; thesis §4.1: 8)",
-                           "(default 0.3; in (0, 0.5]",
-                           "(default 0.75; in (0, 0.99]",
-                           "(default 1 and 0.2 times the border width;",
-                           "(default 6,4;",
-                           "(default 4,3,2;",
-                           "(default 50 frames; in [1, 1000000]",
-                           "(default 0.1;",
-                           "(default that of --blur-sigma if given, else by its own masks;",
-                           "OMP_NUM_THREADS",
-                           "SLURM_CPUS_PER_TASK",
-                           "thesis §3.7"}) {
-    EXPECT_NE(help.find(text), std::string::npos) << text;
-  }
-  EXPECT_EQ(help.find("\n\n\n"), std::string::npos);
-}
-
-TEST(CommandLine, NoLineOfTheHelpIsLongerThan100Characters) {
-  std::istringstream help(parse({"--help"}).information.value_or(""));
-  for (std::string line; std::getline(help, line);) {
-    const auto characters = std::count_if(line.begin(), line.end(), [](char c) {
-      return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // what continues one in UTF-8
-    });
-    EXPECT_LE(characters, 100) << line;
-  }
-}
-
-/// From `begin` on up to the next `end`; all of it where one is not found.
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-  const std::size_t first = text.find(begin);
-  return text.substr(first, text.find(end, first) - first);
-}
-
-TEST(CommandLine, TheReadmeListsTheOptionsAsHelpDoes) {
-  const std::string firstGroup = "Inputs and outputs:\n";
-  const std::string help = parse({"--help"}).information.value_or("");
-  ASSERT_NE(help.find(firstGroup), std::string::npos);
-  const test::Bytes bytes = test::readBytes(FLUIDYMATION_README);
-  const std::string readme(bytes.begin(), bytes.end());
-  ASSERT_NE(readme.find(firstGroup), std::string::npos);
-  std::string options = help.substr(help.find(firstGroup));
-  options.erase(options.find_last_not_of('\n') + 1);
-  EXPECT_EQ(between(readme, firstGroup, "\n```"), options);
-}
-
-TEST(CommandLine, HelpAndVersionNeedNothingElse) {
-  EXPECT_EQ(parse({"--version"}).information, "fluidymation " FLUIDYMATION_VERSION "\n");
-  EXPECT_TRUE(parse({"--seed", "5", "--help"}).information);
-  EXPECT_EQ(parse({"-h"}).information, parse({"--help"}).information);
-  EXPECT_FALSE(parse(kRequired).information);
-}
-
 /// Numbers as in much of Europe: 1.000,5.
 class DecimalComma : public std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
@@ -600,15 +295,15 @@ TEST(CommandLine, ThreadsFollowTheEnvironmentUnlessGiven) {
   EXPECT_EQ(defaultThreads(nullptr, nullptr, 5000), 1024);
   EXPECT_EQ(defaultThreads(nullptr, nullptr, 0), 1);
 
-  const Variable omp("OMP_NUM_THREADS", nullptr);
-  const Variable slurm("SLURM_CPUS_PER_TASK", "7");
+  const test::EnvironmentVariable omp("OMP_NUM_THREADS", nullptr);
+  const test::EnvironmentVariable slurm("SLURM_CPUS_PER_TASK", "7");
   EXPECT_EQ(parse(kRequired).options.threads, 7);
   {
-    const Variable ompGiven("OMP_NUM_THREADS", "5");
+    const test::EnvironmentVariable ompGiven("OMP_NUM_THREADS", "5");
     EXPECT_EQ(parse(kRequired).options.threads, 5);
     EXPECT_EQ(parse(complete({"--threads", "2"})).options.threads, 2);
   }
-  const Variable slurmMissing("SLURM_CPUS_PER_TASK", nullptr);
+  const test::EnvironmentVariable slurmMissing("SLURM_CPUS_PER_TASK", nullptr);
   EXPECT_EQ(parse(kRequired).options.threads, omp_get_num_procs());
 }
 

@@ -99,10 +99,8 @@ class EndToEndDump : public ::testing::Test {
     return readPfm(path(sequence, number, channel), "Pf", sequence == "source" ? kSource : kTarget);
   }
   [[nodiscard]] Mask mask(const std::string& sequence, int number) const {
-    MaskOptions options;
-    options.blurSigmaPx = 1.0F;
-    return smoothMask(sequence == "source" ? scene_.sourceMask(number) : scene_.targetMask(number),
-                      options);
+    return smoothed(sequence == "source" ? scene_.sourceMask(number) : scene_.targetMask(number),
+                    1.0F);
   }
 
   SmallScene scene_{kFrames};

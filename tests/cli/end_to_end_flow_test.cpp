@@ -37,10 +37,9 @@ const ToolOptions kGiven = {{"--src-flow-path", "sf/%05d.flo"},
                             {"--dump-guides", "dump"}};
 
 /// The tool has to refuse with exit code `code` and `message`, before anything is written.
-void expectRefused(const SmallScene& scene, ToolOptions options, int code,
+void expectRefused(const SmallScene& scene, const ToolOptions& options, int code,
                    const std::string& message) {
-  options["--quiet"] = "";
-  EXPECT_TRUE(failedWith(code, message, scene.paint(options)));
+  EXPECT_TRUE(failedWith(code, message, scene.paint(quietly(options))));
   EXPECT_TRUE(scene.names("out").empty()) << message;
   EXPECT_TRUE(scene.names("dump").empty()) << message;
 }

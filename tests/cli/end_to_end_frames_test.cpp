@@ -1,10 +1,9 @@
-// Which frames the real program paints, of which size and shape, and that every option counts.
+// Which frames the real program paints, of which size and shape.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "fluidymation/guides/mask.h"
 #include "support/png_maker.h"
 #include "support/shapes.h"
 #include "support/small_scene.h"
@@ -92,13 +91,6 @@ TEST(EndToEndFrames, StartsAndSpeedsPickTheExemplarsFrames) {
 
 // ---------------------------------------------------------------------------------------------
 // Sizes and shapes
-
-/// What the tool makes of a mask before it paints.
-Mask smoothed(const Mask& mask, float sigmaPx) {
-  MaskOptions options;
-  options.blurSigmaPx = sigmaPx;
-  return smoothMask(mask, options);
-}
 
 /// Paints with these sizes and a mask of its own for each sequence, and checks every frame's size
 /// and alpha.
@@ -195,176 +187,6 @@ TEST(EndToEndFrames, AlphaIsTheSmoothedMaskAtEverySigma) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------
-// Empty frames
-
-TEST(EndToEndFrames, EmptyFramesAreTransparent) {
-  const Mask nothing(Size{28, 22});
-  for (const std::vector<int>& empty :
-       {std::vector<int>{1}, {2}, {4}, {2, 3}, {1, 2, 4}, {1, 2, 3, 4}}) {
-    const SmallScene scene;
-    for (const int number : empty)
-      scene.write(SmallScene::frame("target", number), maskPng(nothing));
-    const Painting painting = scene.painting();
-    ASSERT_EQ(painting.size(), 4U);
-    for (int number = 1; number <= 4; ++number) {
-      const bool isEmpty = std::find(empty.begin(), empty.end(), number) != empty.end();
-      EXPECT_TRUE(
-          isPaintedExactly(scene.file(SmallScene::frame("out", number)),
-                           isEmpty ? nothing.clone() : smoothed(scene.targetMask(number), 1.0F)));
-    }
-  }
-}
-
-TEST(EndToEndFrames, ThePreviousFrameCountsUnlessItWasEmpty) {
-  const SmallScene scene;
-  const auto same = [&](const std::string& name) {
-    return scene.painting({{"--prev-weight", "0"}}).at(name) ==
-           scene.painting({{"--prev-weight", "50"}}).at(name);
-  };
-  EXPECT_TRUE(same("00001.png"));
-  EXPECT_FALSE(same("00002.png"));
-  EXPECT_FALSE(same("00003.png"));
-  scene.write("target/00002.png", maskPng(Mask(Size{28, 22})));
-  EXPECT_TRUE(same("00003.png")) << "starts afresh";
-  EXPECT_FALSE(same("00004.png"));
-}
-
-// ---------------------------------------------------------------------------------------------
-// Options
-
-TEST(EndToEndFrames, EveryOptionChangesThePainting) {
-  const SmallScene scene;
-  const ToolOptions common = {{"--src-start", "2"}, {"--src-frames", "2"}};
-  const Painting standard = scene.painting(common);
-  ASSERT_EQ(standard.size(), 4U);
-  const std::vector<std::pair<std::string, std::string>> changes = {
-      {"--src-start", "1"},
-      {"--src-frames", "3"},
-      {"--src-speed", "-1"},
-      {"--src-scale", "0.8"},
-      {"--target-start", "2"},
-      {"--target-frames", "3"},
-      {"--target-speed", "2"},
-      {"--target-scale", "1.5"},
-      {"--blur-sigma", "2"},
-      {"--target-blur-sigma", "2"},
-      {"--mask-threshold", "0.45"},
-      {"--time-blur-sigma", "0"},
-      {"--flow-blur-sigma", "1.5"},
-      {"--preset", "paper"},
-      {"--shape-guide", "blurred"},
-      {"--segments", "none"},
-      {"--dir-weight", "100"},
-      {"--tex-weight", "0"},
-      {"--dist-weight", "0"},
-      {"--flow-weight", "100"},
-      {"--prev-weight", "0"},
-      {"--new-material", "fresh"},
-      {"--border-width", "2"},
-      {"--prev-modulation-bounds", "0.5,0.25"},
-      {"--lambda", "0"},
-      {"--occ-radius", "0"},
-      {"--patchmatch-alpha", "0.3"},
-      {"--patchmatch-iterations", "1"},
-      {"--opt-iterations", "1"},
-      {"--seed", "1"},
-  };
-  for (const auto& [option, value] : changes) {
-    ToolOptions changed = common;
-    changed[option] = value;
-    EXPECT_TRUE(scene.painting(changed) != standard) << option;
-  }
-}
-
-/// The options of the scene that suit small pictures would hide most of a preset.
-TEST(EndToEndFrames, PresetsPaintEveryFrameEachInItsOwnWay) {
-  const SmallScene scene(3);
-  std::vector<Painting> paintings;
-  for (const std::string preset : {"standard", "thesis", "paper"}) {
-    ToolOptions options = SmallScene::defaults();
-    for (const char* option : {"--border-width", "--prev-modulation-bounds", "--time-blur-sigma"}) {
-      options.erase(option);
-    }
-    options["--preset"] = preset;
-    scene.remove("out");
-    ProcessSetup setup;
-    setup.workingFolder = scene.file("");
-    const ProcessResult result = runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
-    ASSERT_EQ(result.exitCode, 0) << result.err;
-    for (int number = 1; number <= 3; ++number) {
-      EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", number)),
-                                   smoothed(scene.targetMask(number), 1.0F)));
-    }
-    paintings.push_back(filesOf(scene.file("out")));
-  }
-  EXPECT_TRUE(paintings[0] != paintings[1]);
-  EXPECT_TRUE(paintings[1] != paintings[2]);
-  EXPECT_TRUE(paintings[0] != paintings[2]);
-}
-
-TEST(EndToEndFrames, OptionsWithTheirDefaultsChangeNothing) {
-  const SmallScene scene(2);
-  // The defaults as users read them, all at once; the scene's own are for tiny pictures.
-  const Painting standard = scene.painting({{"--blur-sigma", "2"}});
-  ToolOptions given = {{"--blur-sigma", "2"},
-                       {"--target-blur-sigma", "2"},
-                       {"--src-start", "1"},
-                       {"--src-frames", "50"},
-                       {"--src-speed", "1"},
-                       {"--src-scale", "1.0"},
-                       {"--target-start", "1"},
-                       {"--target-frames", "50"},
-                       {"--target-speed", "1"},
-                       {"--target-scale", "1.0"},
-                       {"--mask-threshold", "0.3"},
-                       {"--flow-blur-sigma", "0"},
-                       {"--shape-guide", "distance"},
-                       {"--segments", "hard"},
-                       {"--dir-weight", "0"},
-                       {"--dist-weight", "5.0"},
-                       {"--flow-weight", "0.1"},
-                       {"--prev-weight", "1.0"},
-                       {"--new-material", "auto"},
-                       {"--lambda", "2"},
-                       {"--occ-radius", "10"},
-                       {"--seed", "0"},
-                       {"--patchmatch-alpha", "0.75"},
-                       {"--opt-iterations", "4,3,2"},
-                       {"--patchmatch-iterations", "6,4"}};
-  EXPECT_TRUE(scene.painting(given) == standard);
-}
-
-TEST(EndToEndFrames, IterationListsBeginWithTheCoarsestLevel) {
-  // 28x22 and 24x20 have three levels, and the finest is not optimized: two values count.
-  // As in the thesis, where a picture of this size still depends on every sweep.
-  const SmallScene scene(2);
-  const auto paint = [&](const std::string& option, const std::string& list) {
-    return scene.painting({{option, list}, {"--preset", "thesis"}});
-  };
-  for (const std::string option : {"--opt-iterations", "--patchmatch-iterations"}) {
-    const std::string low = option == "--opt-iterations" ? "0" : "1";
-    const Painting standard = paint(option, low + ",2");
-    EXPECT_TRUE(paint(option, low + ",2,7,9") == standard) << option;
-    EXPECT_TRUE(paint(option, low + ",2,2") == standard) << option;
-    EXPECT_TRUE(paint(option, "2,2") != standard) << option;
-    EXPECT_TRUE(paint(option, low + ",1") != standard) << option;
-    EXPECT_TRUE(paint(option, "2") == paint(option, "2,2")) << option;
-  }
-}
-
-TEST(EndToEndFrames, TheSmallerOfExemplarAndTargetLimitsTheLevels) {
-  // 20x16 has two levels, of which only the coarser one is optimized; 70x60 alone has four.
-  const Size large{70, 60};
-  const Size small{20, 16};
-  for (const bool smallTarget : {false, true}) {
-    const SmallScene scene(1, smallTarget ? large : small, smallTarget ? small : large);
-    for (const char* option : {"--opt-iterations", "--patchmatch-iterations"}) {
-      EXPECT_TRUE(scene.painting({{option, "2,1"}}) == scene.painting({{option, "2,4"}})) << option;
-    }
-  }
-}
-
 TEST(EndToEndFrames, HalfCoverageIsInside) {
   const SmallScene scene(1, {24, 20}, {28, 22});
   const ToolOptions sharp = {{"--target-blur-sigma", "0"}};
@@ -407,112 +229,39 @@ TEST(EndToEndFrames, AScaleBeyondAllMemoryIsWrongUsage) {
   }
 }
 
-TEST(EndToEndFrames, ValuesOutOfRangeAreWrongUsage) {
-  const SmallScene scene(1);
-  const std::vector<std::pair<std::string, std::vector<std::string>>> bad = {
-      {"--src-start", {"x", "1.5", "99999999999"}},
-      {"--target-start", {"nan", "2000000000"}},
-      {"--src-frames", {"0", "-1", "2000000"}},
-      {"--target-frames", {"0", "-3"}},
-      {"--src-speed", {"0", "1e3"}},
-      {"--target-speed", {"0", "inf"}},
-      {"--src-scale", {"0", "-1", "nan", "inf", "1e999", "17"}},
-      {"--target-scale", {"0", "-0.5", "-nan"}},
-      {"--blur-sigma", {"-1", "inf", "1001", "abc"}},
-      {"--target-blur-sigma", {"-0.1", "nan"}},
-      {"--mask-threshold", {"0", "0.51", "-0.3", "nan"}},
-      {"--time-blur-sigma", {"-1", "inf"}},
-      {"--dist-weight", {"-1", "nan", "1e7"}},
-      {"--flow-weight", {"-1", "inf"}},
-      {"--prev-weight", {"-1", "-inf"}},
-      {"--lambda", {"-2", "0x10"}},
-      {"--occ-radius", {"-1", "0.5"}},
-      {"--patchmatch-alpha", {"0", "1", "nan"}},
-      {"--border-width", {"0", "-1", "inf"}},
-      {"--prev-modulation-bounds", {"10", "2,10", "5,5", "10,2,1", "nan,1", ",", "10,-1"}},
-      {"--patchmatch-iterations", {"0", "6,0", ",", "6,", "6,,4", "1001"}},
-      {"--opt-iterations", {"-1", ",4", "4,3,x"}},
-      {"--seed", {"-1", "1.5", "18446744073709551616"}},
-      {"--threads", {"0", "-1", "1025"}},
-  };
-  for (const auto& [option, values] : bad) {
-    for (const std::string& value : values) {
-      EXPECT_TRUE(failedNaming(2, option + " " + value + ": wanted ", {},
-                               scene.paint({{option, value}, {"--quiet", ""}})));
-    }
-    const ProcessResult empty = scene.paint({{option + "=", ""}, {"--quiet", ""}});
-    EXPECT_TRUE(failedNaming(2, option + " with an empty value: wanted ", {}, empty));
-  }
-  EXPECT_EQ(scene.names("out"), std::vector<std::string>{});
-}
-
-TEST(EndToEndFrames, NumbersBeyondTheRangeOfFileNumbersAreWrongUsage) {
-  const SmallScene scene(1);
-  EXPECT_TRUE(failedNaming(2,
-                           "--target-start 1000000000, --target-frames 1000000, --target-speed "
-                           "1000000: the last frame would have number ",
-                           {},
-                           scene.paint({{"--target-start", "1000000000"},
-                                        {"--target-frames", "1000000"},
-                                        {"--target-speed", "1000000"},
-                                        {"--quiet", ""}})));
-}
-
 // ---------------------------------------------------------------------------------------------
-// The same bytes
+// Empty frames
 
-TEST(EndToEndFrames, ThreadsChangeNoByte) {
-  // The finest level that is searched is 85x80: more than one tile of 64x64, and more rows than are
-  // handed out at a time.
-  const SmallScene scene(2, {44, 40}, {170, 160});
-  const Painting one = scene.painting({{"--threads", "1"}});
-  for (const char* threads : {"2", "5"}) {
-    EXPECT_TRUE(scene.painting({{"--threads", threads}}) == one) << threads;
+TEST(EndToEndFrames, EmptyFramesAreTransparent) {
+  const Mask nothing(Size{28, 22});
+  for (const std::vector<int>& empty :
+       {std::vector<int>{1}, {2}, {4}, {2, 3}, {1, 2, 4}, {1, 2, 3, 4}}) {
+    const SmallScene scene;
+    for (const int number : empty)
+      scene.write(SmallScene::frame("target", number), maskPng(nothing));
+    const Painting painting = scene.painting();
+    ASSERT_EQ(painting.size(), 4U);
+    for (int number = 1; number <= 4; ++number) {
+      const bool isEmpty = std::find(empty.begin(), empty.end(), number) != empty.end();
+      EXPECT_TRUE(
+          isPaintedExactly(scene.file(SmallScene::frame("out", number)),
+                           isEmpty ? nothing.clone() : smoothed(scene.targetMask(number), 1.0F)));
+    }
   }
-  EXPECT_TRUE(scene.painting({{"--threads", "1"}}) == one) << "another run";
-  EXPECT_TRUE(scene.painting({{"--threads", "2"}, {"--seed", "1"}}) != one);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define FLUIDYMATION_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define FLUIDYMATION_SANITIZED 1
-#endif
-#endif
-
-TEST(EndToEndFrames, ThreadsThatCannotBeStartedAreRefusedBeforeAnythingElse) {
-#ifdef FLUIDYMATION_SANITIZED
-  GTEST_SKIP() << "sanitizers need terabytes of address space";
-#endif
-  const SmallScene scene(1);
-  ProcessSetup setup;
-  setup.addressSpaceBytes = 1'000'000'000;  // a thread's stack takes 2 or 8 MB of it
-  EXPECT_TRUE(failedNaming(1, "--threads 1024: only ", {" can be started (", "wanted fewer"},
-                           scene.paint({{"--quiet", ""}, {"--threads", "1024"}}, setup)));
-  EXPECT_TRUE(scene.names("out").empty());
-  EXPECT_EQ(scene.paint({{"--quiet", ""}, {"--threads", "2"}}, setup).exitCode, 0);
-}
-
-TEST(EndToEndFrames, TheEnvironmentChangesNoByte) {
-  const SmallScene scene(2);
-  const Painting expected = scene.painting();
-  for (const auto& [name, value] : std::map<std::string, std::string>{{"OMP_NUM_THREADS", "3"},
-                                                                      {"OMP_DYNAMIC", "true"},
-                                                                      {"OMP_SCHEDULE", "static,1"},
-                                                                      {"OMP_THREAD_LIMIT", "2"},
-                                                                      {"SLURM_CPUS_PER_TASK", "3"},
-                                                                      {"LC_ALL", "de_DE.UTF-8"}}) {
-    scene.remove("out");
-    ProcessSetup setup;
-    setup.environment[name] = value;
-    ToolOptions options = SmallScene::defaults();
-    options.erase("--threads");
-    setup.workingFolder = scene.file("");
-    const ProcessResult result = runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
-    EXPECT_EQ(result.exitCode, 0) << name;
-    EXPECT_TRUE(filesOf(scene.file("out")) == expected) << name << "=" << value;
-  }
+TEST(EndToEndFrames, ThePreviousFrameCountsUnlessItWasEmpty) {
+  const SmallScene scene;
+  const auto same = [&](const std::string& name) {
+    return scene.painting({{"--prev-weight", "0"}}).at(name) ==
+           scene.painting({{"--prev-weight", "50"}}).at(name);
+  };
+  EXPECT_TRUE(same("00001.png"));
+  EXPECT_FALSE(same("00002.png"));
+  EXPECT_FALSE(same("00003.png"));
+  scene.write("target/00002.png", maskPng(Mask(Size{28, 22})));
+  EXPECT_TRUE(same("00003.png")) << "starts afresh";
+  EXPECT_FALSE(same("00004.png"));
 }
 
 }  // namespace

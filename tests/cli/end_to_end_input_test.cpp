@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kInputs = {"src", "mask", "target"};
-const std::vector<std::string> kNothing;
 constexpr std::int64_t kModestBytes = 400'000'000;  // with a sanitizer's share
 
 /// As `refusal`, by an ordinary user.
@@ -27,9 +26,8 @@ ProcessResult refusalOfOthers(const SmallScene& scene) {
 }
 
 /// Runs the tool, which has to refuse before it paints anything.
-ProcessResult refusal(const SmallScene& scene, ToolOptions options = {}) {
-  options["--quiet"] = "";
-  ProcessResult result = scene.paint(options);
+ProcessResult refusal(const SmallScene& scene, const ToolOptions& options = {}) {
+  ProcessResult result = scene.paint(quietly(options));
   EXPECT_EQ(scene.names("out"), kNothing);
   return result;
 }

@@ -174,36 +174,37 @@ TEST(EndToEndSoft, FramesMayBeEmptyOrFull) {
   EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", 4)), Mask(kTarget, 1)));
 }
 
+const Size kLarge{100, 80};
+
+/// Both targets cover 0.4 of every pixel.
+void writeFaintTargets(const SmallScene& scene) {
+  for (int number = 1; number <= 2; ++number) {
+    scene.write(SmallScene::frame("target", number), coveragePng(Image<float>(kLarge, 0.4F)));
+  }
+}
+
 /// Runs the tool without a smoothing of the test's own: its width follows from the masks.
 ProcessResult paintSmoothedBySize(const SmallScene& scene, const std::string& maskThreshold) {
   ToolOptions options = SmallScene::defaults();
   options.erase("--blur-sigma");
   options["--mask-threshold"] = maskThreshold;
-  ProcessSetup setup;
-  setup.workingFolder = scene.file(".");
-  return runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
+  return scene.paintWithoutDefaults(options);
 }
 
 TEST(EndToEndSoft, FaintMasksArePaintedWhereTheThresholdTakesThemIn) {
-  const Size size{100, 80};
-  const SmallScene scene(2, {24, 20}, size);
-  for (int number = 1; number <= 2; ++number) {
-    scene.write(SmallScene::frame("target", number), coveragePng(Image<float>(size, 0.4F)));
-  }
+  const SmallScene scene(2, {24, 20}, kLarge);
+  writeFaintTargets(scene);
   // An area of 0.4 * 100 * 80 px^2 is enough for a smoothing
   const ProcessResult painted = paintSmoothedBySize(scene, "0.3");
   EXPECT_EQ(painted.exitCode, 0);
   EXPECT_NE(painted.err.find(" --target-blur-sigma 0.7"), std::string::npos) << painted.err;
   EXPECT_EQ(painted.err.find("empty"), std::string::npos) << painted.err;
-  EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", 2)), Mask(size, 1)));
+  EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", 2)), Mask(kLarge, 1)));
 }
 
 TEST(EndToEndSoft, ATargetThatIsEmptyAfterSmoothingIsSaidToBe) {
-  const Size size{100, 80};
-  const SmallScene scene(2, {24, 20}, size);
-  for (int number = 1; number <= 2; ++number) {
-    scene.write(SmallScene::frame("target", number), coveragePng(Image<float>(size, 0.4F)));
-  }
+  const SmallScene scene(2, {24, 20}, kLarge);
+  writeFaintTargets(scene);
   const ProcessResult empty = paintSmoothedBySize(scene, "0.45");
   EXPECT_EQ(empty.exitCode, 0);
   EXPECT_NE(
@@ -212,9 +213,9 @@ TEST(EndToEndSoft, ATargetThatIsEmptyAfterSmoothingIsSaidToBe) {
                      "--mask-threshold (now 0.45; "),
       std::string::npos)
       << empty.err;
-  EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", 2)), Mask(size)));
+  EXPECT_TRUE(isPaintedExactly(scene.file(SmallScene::frame("out", 2)), Mask(kLarge)));
   // One frame with anything in it is enough
-  scene.write(SmallScene::frame("target", 1), coveragePng(Image<float>(size, 0.5F)));
+  scene.write(SmallScene::frame("target", 1), coveragePng(Image<float>(kLarge, 0.5F)));
   EXPECT_EQ(paintSmoothedBySize(scene, "0.45").err.find("empty"), std::string::npos);
 }
 

@@ -7,6 +7,18 @@
 #include "fluidymation/guides/guide_stream.h"
 
 namespace fluidymation::test {
+namespace {
+
+/// All frames of a stream of guides.
+std::vector<GuideFrame> allOf(std::size_t frameCount, const MaskReader& readMask,
+                              const GuideOptions& options) {
+  GuideStream stream(static_cast<int>(frameCount), readMask, options);
+  std::vector<GuideFrame> frames;
+  for (int i = 0; i < stream.frameCount(); ++i) frames.push_back(stream.next());
+  return frames;
+}
+
+}  // namespace
 
 Mask disc(Size size, Vec2 centre, float radius) {
   return maskOf(size, [&](int x, int y) {
@@ -99,18 +111,18 @@ Mask randomBlobs(Size size, std::uint64_t seed) {
   return mask;
 }
 
+std::vector<GuideFrame> guidesWith(const std::vector<Mask>& masks, const GuideOptions& options) {
+  return allOf(
+      masks.size(), [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options);
+}
+
 std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames,
                                  MotionModel model) {
   GuideOptions options;
   options.motionModel = model;
   options.mask.blurSigmaPx = 0.0F;
   options.timeBlurSigmaFrames = sigmaFrames;
-  GuideStream stream(
-      static_cast<int>(masks.size()),
-      [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options);
-  std::vector<GuideFrame> frames;
-  for (int i = 0; i < stream.frameCount(); ++i) frames.push_back(stream.next());
-  return frames;
+  return guidesWith(masks, options);
 }
 
 std::vector<GuideFrame> softGuidesOf(const std::vector<Image<float>>& coverages, float sigmaFrames,
@@ -118,13 +130,10 @@ std::vector<GuideFrame> softGuidesOf(const std::vector<Image<float>>& coverages,
   GuideOptions options;
   options.mask.blurSigmaPx = blurSigmaPx;
   options.timeBlurSigmaFrames = sigmaFrames;
-  GuideStream stream(
-      static_cast<int>(coverages.size()),
+  return allOf(
+      coverages.size(),
       [&](int i) { return InputMask(coverages[static_cast<std::size_t>(i)].clone(), true); },
       options);
-  std::vector<GuideFrame> frames;
-  for (int i = 0; i < stream.frameCount(); ++i) frames.push_back(stream.next());
-  return frames;
 }
 
 }  // namespace fluidymation::test

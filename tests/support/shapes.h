@@ -8,6 +8,11 @@
 
 namespace fluidymation::test {
 
+/// The middle of a pixel.
+[[nodiscard]] inline Vec2 place(int x, int y) {
+  return {static_cast<float>(x), static_cast<float>(y)};
+}
+
 /// 1 where `inside(x, y)`.
 template <typename Inside>
 [[nodiscard]] Mask maskOf(Size size, const Inside& inside) {
@@ -55,7 +60,11 @@ template <typename T>
   return result;
 }
 
-/// Guides of all frames of a sequence of masks, without spatial smoothing.
+/// Guides of all frames of a sequence of masks.
+[[nodiscard]] std::vector<GuideFrame> guidesWith(const std::vector<Mask>& masks,
+                                                 const GuideOptions& options);
+
+/// The same without spatial smoothing.
 [[nodiscard]] std::vector<GuideFrame> guidesOf(const std::vector<Mask>& masks, float sigmaFrames,
                                                MotionModel model = MotionModel::kNormals);
 

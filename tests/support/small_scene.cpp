@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "fluidymation/core/random.h"
+#include "fluidymation/guides/mask.h"
 #include "support/png_maker.h"
 #include "support/privileges.h"
 #include "support/shapes.h"
@@ -46,11 +48,22 @@ std::vector<std::string> argumentsOf(const ToolOptions& options) {
   return arguments;
 }
 
+ToolOptions quietly(ToolOptions options) {
+  options["--quiet"] = "";
+  return options;
+}
+
 Bytes maskPng(const Mask& mask) {
   PngSpec spec;
   spec.size = mask.size();
   for (const std::uint8_t inside : mask) spec.samples.push_back(inside != 0 ? 255 : 0);
   return makePng(spec);
+}
+
+Mask smoothed(const Mask& mask, float sigmaPx) {
+  MaskOptions options;
+  options.blurSigmaPx = sigmaPx;
+  return smoothMask(mask, options);
 }
 
 Bytes colorPng(const Image<Rgba8>& picture) {
@@ -148,8 +161,13 @@ ProcessResult SmallScene::paint(const ToolOptions& options, ProcessSetup setup) 
   ToolOptions all = options;
   const ToolOptions standard = defaults();
   all.insert(standard.begin(), standard.end());  // what is given already stays
+  return paintWithoutDefaults(all, std::move(setup));
+}
+
+ProcessResult SmallScene::paintWithoutDefaults(const ToolOptions& options,
+                                               ProcessSetup setup) const {
   setup.workingFolder = folder_.path();
-  return runProcess(FLUIDYMATION_PROGRAM, argumentsOf(all), setup);
+  return runProcess(FLUIDYMATION_PROGRAM, argumentsOf(options), setup);
 }
 
 ProcessResult SmallScene::paintUnprivileged(const ToolOptions& options) const {
@@ -161,9 +179,7 @@ ProcessResult SmallScene::paintUnprivileged(const ToolOptions& options) const {
 
 SmallScene::Painting SmallScene::painting(const ToolOptions& options) const {
   remove("out");
-  ToolOptions quiet = options;
-  quiet["--quiet"] = "";
-  const ProcessResult result = paint(quiet);
+  const ProcessResult result = paint(quietly(options));
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.out, "");

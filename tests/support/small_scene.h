@@ -19,8 +19,14 @@ using ToolOptions = std::map<std::string, std::string>;
 
 [[nodiscard]] std::vector<std::string> argumentsOf(const ToolOptions& options);
 
+/// With --quiet.
+[[nodiscard]] ToolOptions quietly(ToolOptions options);
+
 /// A gray 8-bit PNG file, black and white.
 [[nodiscard]] Bytes maskPng(const Mask& mask);
+
+/// What the tool makes of a hard mask before it paints.
+[[nodiscard]] Mask smoothed(const Mask& mask, float sigmaPx);
 
 /// An RGB 8-bit PNG file.
 [[nodiscard]] Bytes colorPng(const Image<Rgba8>& picture);
@@ -59,6 +65,10 @@ class SmallScene {
   /// Runs the tool in the scene's folder with the defaults, changed and completed by `options`.
   [[nodiscard]] ProcessResult paint(const ToolOptions& options = {}, ProcessSetup setup = {}) const;
 
+  /// Runs the tool in the scene's folder with these options and no others.
+  [[nodiscard]] ProcessResult paintWithoutDefaults(const ToolOptions& options,
+                                                   ProcessSetup setup = {}) const;
+
   /// Runs it as an ordinary user, whom permissions hold back, and gives the scene to that user.
   [[nodiscard]] ProcessResult paintUnprivileged(const ToolOptions& options = {}) const;
 
@@ -72,6 +82,12 @@ class SmallScene {
   Size sourceSize_;
   Size targetSize_;
 };
+
+/// The names in an output folder: where nothing was painted, and where all four frames of the usual
+/// scene were.
+inline const std::vector<std::string> kNothing;
+inline const std::vector<std::string> kFourFrames = {"00001.png", "00002.png", "00003.png",
+                                                     "00004.png"};
 
 /// All files of a folder by name.
 [[nodiscard]] SmallScene::Painting filesOf(const std::string& folder);

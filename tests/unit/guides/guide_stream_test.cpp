@@ -236,15 +236,6 @@ TEST(GuideStream, FramesWithoutAnEdgeDoNotLeakTheirStandInDistances) {
   }
 }
 
-std::vector<GuideFrame> guidesWith(const std::vector<Mask>& masks, const GuideOptions& options) {
-  GuideStream stream(
-      static_cast<int>(masks.size()),
-      [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options);
-  std::vector<GuideFrame> frames;
-  for (int i = 0; i < stream.frameCount(); ++i) frames.push_back(stream.next());
-  return frames;
-}
-
 TEST(GuideStream, FlowIsAveragedOverTheFramesThatHoldThePixel) {
   std::vector<Mask> masks;
   for (int i = 0; i < 9; ++i) masks.push_back(test::randomBlobs({40, 30}, 7));
@@ -258,9 +249,9 @@ TEST(GuideStream, FlowIsAveragedOverTheFramesThatHoldThePixel) {
   GuideOptions options;
   options.mask.blurSigmaPx = 0.0F;
   options.timeBlurSigmaFrames = 0.0F;
-  const std::vector<GuideFrame> plain = guidesWith(masks, options);
+  const std::vector<GuideFrame> plain = test::guidesWith(masks, options);
   options.flowBlurSigmaFrames = 1.5F;
-  const std::vector<GuideFrame> averaged = guidesWith(masks, options);
+  const std::vector<GuideFrame> averaged = test::guidesWith(masks, options);
   bool differs = false;
   for (int i = 0; i < 7; ++i) {
     for (int y = 0; y < 30; ++y) {
@@ -319,9 +310,9 @@ TEST(GuideStream, TheBlurredMaskComesWhereItIsAskedFor) {
   const std::vector<Mask> masks = growingDisc(2, 15.0F, 1.0F);
   GuideOptions options;
   options.mask.blurSigmaPx = 0.0F;
-  for (const GuideFrame& frame : guidesWith(masks, options)) EXPECT_TRUE(frame.shape.empty());
+  for (const GuideFrame& frame : test::guidesWith(masks, options)) EXPECT_TRUE(frame.shape.empty());
   options.shapeBlurRadiusPx = 9.0F;
-  const std::vector<GuideFrame> frames = guidesWith(masks, options);
+  const std::vector<GuideFrame> frames = test::guidesWith(masks, options);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(test::nearEverywhere(blurredMask(masks[i], 9.0F), frames[i].shape, 0.0F));
   }
@@ -340,10 +331,7 @@ TEST(GuideStream, TheNumberOfThreadsDoesNotShow) {
   std::vector<std::vector<GuideFrame>> results;
   for (const int threads : {1, 2, 5}) {
     omp_set_num_threads(threads);
-    GuideStream stream(
-        3, [&](int i) { return masks[static_cast<std::size_t>(i)].clone(); }, options);
-    results.emplace_back();
-    for (int i = 0; i < 3; ++i) results.back().push_back(stream.next());
+    results.push_back(test::guidesWith(masks, options));
   }
   omp_set_num_threads(threadsBefore);
   const auto sameBytes = [](const auto& a, const auto& b) {

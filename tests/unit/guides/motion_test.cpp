@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fluidymation/guides/distance_field.h"
+#include "support/border_speed.h"
 #include "support/comparison.h"
 #include "support/shapes.h"
 
@@ -12,13 +13,6 @@ namespace fluidymation {
 namespace {
 
 constexpr int kFrames = 13;
-
-Vec2 place(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
-struct BorderSpeed {
-  float outward = 0.0F;   ///< mean component away from the centre
-  float sideways = 0.0F;  ///< mean length of the rest
-};
 
 /// Mean over all border pixels of a growing disc, at one of its frames, and over five positions on
 /// the pixel grid: at a single one a slow disc gains its pixels in bursts.
@@ -40,25 +34,12 @@ class GrowingDiscs {
     }
   }
 
-  [[nodiscard]] BorderSpeed speed(std::size_t frame) const {
-    BorderSpeed sum;
-    float count = 0.0F;
+  [[nodiscard]] test::BorderSpeed speed(std::size_t frame) const {
+    test::BorderSpeedMean mean;
     for (std::size_t phase = 0; phase < discs_.size(); ++phase) {
-      const GuideFrame& guides = discs_[phase][frame];
-      const Mask border = borderPixels(guides.mask);
-      for (int y = 0; y < border.height(); ++y) {
-        for (int x = 0; x < border.width(); ++x) {
-          if (border(x, y) == 0) continue;
-          const Vec2 arm = place(x, y) - centres_[phase];
-          const Vec2 outward = (1.0F / length(arm)) * arm;
-          const float along = dot(guides.flow(x, y), outward);
-          sum.outward += along;
-          sum.sideways += length(guides.flow(x, y) - along * outward);
-          count += 1.0F;
-        }
-      }
+      mean.add(discs_[phase][frame], centres_[phase]);
     }
-    return {sum.outward / count, sum.sideways / count};
+    return mean.value();
   }
 
  private:
@@ -120,7 +101,7 @@ TEST(Flow, AGrowingDiscMovesOutwardsAtItsSpeedFromTheFirstFrameToTheLast) {
   for (const float speed : {0.2F, 0.5F, 1.0F, 2.0F, 3.0F}) {
     const GrowingDiscs discs(15.0F, speed);
     for (const std::size_t i : {0U, 6U, 12U}) {
-      const BorderSpeed measured = discs.speed(i);
+      const test::BorderSpeed measured = discs.speed(i);
       EXPECT_NEAR(measured.outward, speed, 0.08F * speed) << "frame " << i;
       EXPECT_LT(measured.sideways, 0.1F * speed) << speed << ", frame " << i;
     }
@@ -165,7 +146,7 @@ TEST(Flow, AMovingDiscFlowsAlongTheMotionAtItsFrontAndBack) {
     for (int y = 0; y < border.height(); ++y) {
       for (int x = 0; x < border.width(); ++x) {
         if (border(x, y) == 0) continue;
-        const Vec2 arm = place(x, y) - centre(i);
+        const Vec2 arm = test::place(x, y) - centre(i);
         if (std::abs(dot(arm, velocity)) < kCosine * kSpeed * length(arm)) continue;
         const Vec2 flow = frame.flow(x, y);
         EXPECT_GT(dot(flow, velocity), 0.8F * kSpeed * length(flow)) << x << ", " << y;

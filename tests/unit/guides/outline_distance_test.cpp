@@ -18,8 +18,6 @@
 namespace fluidymation {
 namespace {
 
-Vec2 place(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
 Image<float> distanceOf(const Image<float>& coverage, const MaskOptions& options) {
   const OutlinedMask shape = outlinedMask(coverage, options);
   return outlineDistance(shape.mask, shape.outline);
@@ -77,11 +75,13 @@ TEST(OutlineDistance, OfAStraightEdgeIsExactAtEveryAngleAndOffsetNearAndFar) {
         const float shift = isolineShift(sigmaPx, threshold);
         const Image<float> distance = distanceOf(
             test::eightBit(test::softHalfPlane(size, point, normal)), {sigmaPx, threshold});
-        const auto truth = [&](int x, int y) { return dot(place(x, y) - point, normal) + shift; };
+        const auto truth = [&](int x, int y) {
+          return dot(test::place(x, y) - point, normal) + shift;
+        };
         // Where the foot of the perpendicular lies within the frame, clear of the repeated edge
         const float margin = 3.0F + 3.0F * sigmaPx;
         const auto wanted = [&](int x, int y) {
-          const Vec2 foot = place(x, y) - truth(x, y) * normal;
+          const Vec2 foot = test::place(x, y) - truth(x, y) * normal;
           return foot.x > margin && foot.y > margin && foot.x < 149.0F - margin &&
                  foot.y < 139.0F - margin;
         };
@@ -104,7 +104,7 @@ TEST(OutlineDistance, OfADiscFollowsItsRadiusInSubPixelSteps) {
     double softMean = 0.0;
     for (float radius = 4.0F; radius < 30.0F; radius += radius < 8.0F ? 0.17F : 2.13F) {
       const Image<float> coverage = test::eightBit(test::softDisc(size, centre, radius));
-      const auto truth = [&](int x, int y) { return radius - length(place(x, y) - centre); };
+      const auto truth = [&](int x, int y) { return radius - length(test::place(x, y) - centre); };
       const auto everywhere = [](int, int) { return true; };
       const Errors soft = errorsOf(distanceOf(coverage, {sigmaPx, 0.5F}), truth, everywhere);
       const Errors hard = errorsOf(
@@ -162,11 +162,11 @@ Image<float> bruteForce(const Mask& mask, const Outline& outline) {
       float nearest = INFINITY;
       for (const Piece& piece : pieces) {
         const Vec2 along = piece.to - piece.from;
-        const float first = -past(piece.from, place(x, y)) / length(along);
-        const float last = 1.0F + past(piece.to, place(x, y)) / length(along);
+        const float first = -past(piece.from, test::place(x, y)) / length(along);
+        const float last = 1.0F + past(piece.to, test::place(x, y)) / length(along);
         const float share =
-            std::clamp(dot(place(x, y) - piece.from, along) / dot(along, along), first, last);
-        nearest = std::min(nearest, length(place(x, y) - piece.from - share * along));
+            std::clamp(dot(test::place(x, y) - piece.from, along) / dot(along, along), first, last);
+        nearest = std::min(nearest, length(test::place(x, y) - piece.from - share * along));
       }
       distance(x, y) = mask(x, y) != 0 ? nearest : -nearest;
     }

@@ -13,8 +13,6 @@ namespace {
 constexpr int kFrames = 13;
 constexpr int kMiddle = 6;  // a frame whose temporal window is whole
 
-Vec2 place(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
 GuideFrame middleFrame(const std::function<Mask(int)>& maskOf, MotionModel model) {
   std::vector<Mask> masks;
   for (int i = 0; i < kFrames; ++i) masks.push_back(maskOf(i));
@@ -29,7 +27,7 @@ double relativeError(const GuideFrame& frame, const std::function<Vec2(Vec2)>& t
   for (int y = 0; y < frame.mask.height(); ++y) {
     for (int x = 0; x < frame.mask.width(); ++x) {
       if (frame.mask(x, y) == 0) continue;
-      const Vec2 expected = truth(place(x, y));
+      const Vec2 expected = truth(test::place(x, y));
       error += static_cast<double>(length(frame.flow(x, y) - expected));
       speed += static_cast<double>(length(expected));
     }
@@ -62,7 +60,7 @@ TEST(RigidMotion, ABarThatTurnsMovesAlongItsTurn) {
     const float angle = kRad * static_cast<float>(i);
     const Vec2 axis{std::cos(angle), std::sin(angle)};
     return test::maskOf({120, 120}, [&](int x, int y) {
-      const Vec2 arm = place(x, y) - centre;
+      const Vec2 arm = test::place(x, y) - centre;
       return std::abs(dot(arm, axis)) < 45.0F && std::abs(arm.x * axis.y - arm.y * axis.x) < 11.0F;
     });
   };
@@ -75,7 +73,7 @@ TEST(RigidMotion, TheTeethOfACogwheelMoveAlongItsTurn) {
   constexpr float kRad = 0.02F;
   const auto wheel = [&](int i) {
     return test::maskOf({140, 140}, [&](int x, int y) {
-      const Vec2 arm = place(x, y) - centre;
+      const Vec2 arm = test::place(x, y) - centre;
       const float angle = std::atan2(arm.y, arm.x) - kRad * static_cast<float>(i);
       return length(arm) > 20.0F && length(arm) < (std::sin(10.0F * angle) > 0.0F ? 60.0F : 46.0F);
     });
@@ -100,7 +98,7 @@ TEST(RigidMotion, ABodyThatWavesAnArmDoesNotSlide) {
     const float angle = -0.6F + 0.1F * static_cast<float>(i);
     const Vec2 axis{std::cos(angle), std::sin(angle)};
     return test::maskOf({150, 110}, [&](int x, int y) {
-      const Vec2 arm = place(x, y) - Vec2{78.0F, 55.0F};
+      const Vec2 arm = test::place(x, y) - Vec2{78.0F, 55.0F};
       const bool inArm = dot(arm, axis) > 0.0F && dot(arm, axis) < 50.0F &&
                          std::abs(arm.x * axis.y - arm.y * axis.x) < 6.0F;
       return inArm || (x >= 10 && x < 80 && y >= 15 && y < 95);

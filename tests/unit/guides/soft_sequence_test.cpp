@@ -9,36 +9,12 @@
 #include "fluidymation/guides/distance_field.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/guides/motion.h"
+#include "support/border_speed.h"
 #include "support/comparison.h"
 #include "support/shapes.h"
 
 namespace fluidymation {
 namespace {
-
-Vec2 place(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
-struct BorderSpeed {
-  float outward = 0.0F;   ///< mean component away from the centre
-  float sideways = 0.0F;  ///< mean length of the rest
-};
-
-BorderSpeed borderSpeed(const GuideFrame& frame, Vec2 centre) {
-  const Mask border = borderPixels(frame.mask);
-  BorderSpeed sum;
-  float count = 0.0F;
-  for (int y = 0; y < border.height(); ++y) {
-    for (int x = 0; x < border.width(); ++x) {
-      if (border(x, y) == 0) continue;
-      const Vec2 arm = place(x, y) - centre;
-      const Vec2 outward = (1.0F / length(arm)) * arm;
-      const float along = dot(frame.flow(x, y), outward);
-      sum.outward += along;
-      sum.sideways += length(frame.flow(x, y) - along * outward);
-      count += 1.0F;
-    }
-  }
-  return {sum.outward / count, sum.sideways / count};
-}
 
 const Size kSize{60, 58};
 const Vec2 kCentre{29.3F, 28.8F};
@@ -59,12 +35,12 @@ TEST(SoftSequence, ADiscThatGrowsByAFractionOfAPixelMovesAtItsSpeedInEveryFrame)
       float hardMost = 0.0F;
       float softMost = 0.0F;
       for (std::size_t i = 0; i < soft.size(); ++i) {
-        const BorderSpeed measured = borderSpeed(soft[i], kCentre);
+        const test::BorderSpeed measured = test::borderSpeed(soft[i], kCentre);
         EXPECT_NEAR(measured.outward, speed, 0.02F * speed) << "frame " << i;
         EXPECT_LT(measured.sideways, 0.01F * speed) << "frame " << i;
         softMost = std::max(softMost, std::abs(measured.outward / speed - 1.0F));
-        hardMost =
-            std::max(hardMost, std::abs(borderSpeed(hard[i], kCentre).outward / speed - 1.0F));
+        hardMost = std::max(hardMost,
+                            std::abs(test::borderSpeed(hard[i], kCentre).outward / speed - 1.0F));
       }
       if (speed <= 0.1F) {
         EXPECT_GT(hardMost, 3.0F * softMost);
@@ -90,7 +66,7 @@ TEST(SoftSequence, ADiscThatMovesByAFractionOfAPixelFlowsAlongTheMotion) {
     for (int y = 0; y < border.height(); ++y) {
       for (int x = 0; x < border.width(); ++x) {
         if (border(x, y) == 0) continue;
-        const Vec2 arm = place(x, y) - centre;
+        const Vec2 arm = test::place(x, y) - centre;
         const Vec2 outward = (1.0F / length(arm)) * arm;
         const Vec2 expected = dot(velocity, outward) * outward;
         largest = std::max(largest, length(frame.flow(x, y) - expected));
@@ -230,7 +206,7 @@ TEST(SoftSequence, EmptyAndFullFramesDoNotLeakTheirStandInDistances) {
       EXPECT_EQ(frames[i].distance(3, 3), filling > 0.0F ? far : -far);
       EXPECT_EQ(frames[i].coverage(3, 3), filling);
     }
-    EXPECT_NEAR(borderSpeed(frames[3], kCentre).outward, 0.2F, 0.016F);
+    EXPECT_NEAR(test::borderSpeed(frames[3], kCentre).outward, 0.2F, 0.016F);
   }
 }
 

@@ -229,6 +229,13 @@ double flicker(const Exemplar& exemplar, const test::GrowingDisc& disc,
   return change / count;
 }
 
+/// The same where the disc grows by half a pixel per frame.
+double slowFlicker(const Exemplar& exemplar, test::GrowingDisc disc,
+                   const SynthesisOptions& options) {
+  disc.speedPx = 0.5F;
+  return flicker(exemplar, disc, options);
+}
+
 TEST_F(SynthesizerTest, MaterialAtRestKeepsItsPicture) {
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
   test::GrowingDisc still = other_;
@@ -244,24 +251,20 @@ TEST_F(SynthesizerTest, MaterialAtRestKeepsItsPicture) {
 
 TEST_F(SynthesizerTest, SlowMaterialKeepsItsPictureBecauseOfThePreviousFrame) {
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
-  test::GrowingDisc slow = other_;
-  slow.speedPx = 0.5F;
   SynthesisOptions options = smallOptions();
-  const double kept = flicker(exemplar, slow, options);
+  const double kept = slowFlicker(exemplar, other_, options);
   options.prevWeight = 0.0F;
-  EXPECT_LT(kept, 0.6 * flicker(exemplar, slow, options));
+  EXPECT_LT(kept, 0.6 * slowFlicker(exemplar, other_, options));
 }
 
 TEST_F(SynthesizerTest, FullResolutionMatchesOfTheLastFrameCalmTheFinestLevel) {
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
-  test::GrowingDisc slow = other_;
-  slow.speedPx = 0.5F;
   SynthesisOptions options = smallOptions();
-  const double upscaled = flicker(exemplar, slow, options);
+  const double upscaled = slowFlicker(exemplar, other_, options);
   options.finestLevel = FinestLevel::kRefined;
-  const double refined = flicker(exemplar, slow, options);
+  const double refined = slowFlicker(exemplar, other_, options);
   options.finestLevel = FinestLevel::kSearched;
-  const double searched = flicker(exemplar, slow, options);
+  const double searched = slowFlicker(exemplar, other_, options);
   EXPECT_LT(refined, 0.6 * upscaled);
   EXPECT_LT(searched, 0.6 * upscaled);
 }

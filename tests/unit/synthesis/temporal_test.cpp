@@ -29,6 +29,18 @@ TEST(Smoothstep, SwappedBoundsFallAsTheModulationNeeds) {
   EXPECT_EQ(smoothstep(99.0F, 10.0F, 2.0F), 0.0F);
 }
 
+/// A frame that is full and 5 px deep, and moves right by `flowPx` as a whole.
+GuideFrame movingRight(Size size, float flowPx) {
+  return {Mask(size, 1),
+          Image<float>(size, 5.0F),
+          Image<Vec2>(size, Vec2{flowPx, 0.0F}),
+          Image<Vec2>(size, Vec2{1.0F, 0.0F}),
+          Image<Vec2>(size),
+          Image<Vec2>(size),
+          SolveReport{},
+          {}};
+}
+
 /// An exemplar disc that grows by 1 px per frame, and a target whose every pixel moves right by
 /// `targetSpeed`; the match sits on the exemplar's x axis, right of the centre.
 class Shift : public ::testing::Test {
@@ -38,14 +50,7 @@ class Shift : public ::testing::Test {
 
   [[nodiscard]] int shiftedFrame(float targetSpeed, int startFrame, bool opposite) const {
     const Size one{1, 1};
-    GuideFrame target{Mask(one, 1),
-                      Image<float>(one, 5.0F),
-                      Image<Vec2>(one, Vec2{targetSpeed, 0.0F}),
-                      Image<Vec2>(one, Vec2{1.0F, 0.0F}),
-                      Image<Vec2>(one),
-                      Image<Vec2>(one),
-                      SolveReport{},
-                      {}};
+    const GuideFrame target = movingRight(one, targetSpeed);
     // The exemplar flows to the right at (28, 20); turned by pi it runs against the target.
     const Rotation rotation = opposite ? Rotation{-1.0F, 0.0F} : Rotation{};
     const NearestNeighborField previous(one, Match{28.0F, 20.0F, startFrame, rotation});
@@ -80,14 +85,7 @@ TEST_F(Shift, TheWalkStopsAtTheSequencesEnds) {
 TEST_F(Shift, TheWalkStopsWhereThePlaceLeavesTheMask) {
   // (34, 20) is 10 px from the centre: inside from radius 11 on, that is from frame 5.
   const Size one{1, 1};
-  GuideFrame target{Mask(one, 1),
-                    Image<float>(one, 5.0F),
-                    Image<Vec2>(one, Vec2{9.0F, 0.0F}),
-                    Image<Vec2>(one, Vec2{1.0F, 0.0F}),
-                    Image<Vec2>(one),
-                    Image<Vec2>(one),
-                    SolveReport{},
-                    {}};
+  const GuideFrame target = movingRight(one, 9.0F);
   const NearestNeighborField previous(one, Match{34.0F, 20.0F, 8, Rotation{-1.0F, 0.0F}});
   EXPECT_EQ(shift(exemplar_, target, previous)(0, 0).frame, 5);
 }
@@ -109,14 +107,7 @@ class CarriedMotion : public Shift {
  protected:
   [[nodiscard]] int frameAfter(float speedPx, int steps, Image<float>* owed) const {
     const Size one{1, 1};
-    GuideFrame target{Mask(one, 1),
-                      Image<float>(one, 5.0F),
-                      Image<Vec2>(one, Vec2{speedPx, 0.0F}),
-                      Image<Vec2>(one, Vec2{1.0F, 0.0F}),
-                      Image<Vec2>(one),
-                      Image<Vec2>(one),
-                      SolveReport{},
-                      {}};
+    const GuideFrame target = movingRight(one, speedPx);
     NearestNeighborField nnf(one, Match{28.0F, 20.0F, 2, Rotation{}});
     for (int i = 0; i < steps; ++i) nnf = shift(exemplar_, target, nnf, owed);
     return nnf(0, 0).frame;
@@ -141,10 +132,7 @@ TEST_F(CarriedMotion, AHoldStaysStill) {
   EXPECT_NE(owed(0, 0), 0.0F);
   const float kept = owed(0, 0);
   const Size one{1, 1};
-  GuideFrame still{Mask(one, 1),     Image<float>(one, 5.0F),
-                   Image<Vec2>(one), Image<Vec2>(one, Vec2{1.0F, 0.0F}),
-                   Image<Vec2>(one), Image<Vec2>(one),
-                   SolveReport{},    {}};
+  const GuideFrame still = movingRight(one, 0.0F);
   NearestNeighborField nnf(one, Match{28.0F, 20.0F, before, Rotation{}});
   for (int i = 0; i < 20; ++i) nnf = shift(exemplar_, still, nnf, &owed);
   EXPECT_EQ(nnf(0, 0).frame, before);
@@ -166,14 +154,10 @@ Exemplar movingExemplar(const std::vector<float>& stepsPx) {
   for (std::size_t k = 0; k < stepsPx.size(); ++k) {
     pastPx += stepsPx[k];
     exemplar.setColor(static_cast<int>(k), Image<Lab>(size));
-    exemplar.setGuides(static_cast<int>(k), {Mask(size, 1),
-                                             Image<float>(size, 5.0F),
-                                             Image<Vec2>(size, Vec2{stepsPx[k], 0.0F}),
-                                             Image<Vec2>(size, Vec2{1.0F, 0.0F}),
-                                             Image<Vec2>(size, Vec2{pastPx, 0.0F}),
-                                             Image<Vec2>(size, Vec2{wholePx - pastPx, 0.0F}),
-                                             SolveReport{},
-                                             {}});
+    GuideFrame guides = movingRight(size, stepsPx[k]);
+    guides.accForward = Image<Vec2>(size, Vec2{pastPx, 0.0F});
+    guides.accBackward = Image<Vec2>(size, Vec2{wholePx - pastPx, 0.0F});
+    exemplar.setGuides(static_cast<int>(k), guides);
   }
   exemplar.finish();
   return exemplar;
@@ -185,14 +169,7 @@ class OwedMotion : public ::testing::Test {
  protected:
   void step(const Exemplar& exemplar, float speedPx) {
     const Size one{1, 1};
-    const GuideFrame target{Mask(one, 1),
-                            Image<float>(one, 5.0F),
-                            Image<Vec2>(one, Vec2{speedPx, 0.0F}),
-                            Image<Vec2>(one, Vec2{1.0F, 0.0F}),
-                            Image<Vec2>(one),
-                            Image<Vec2>(one),
-                            SolveReport{},
-                            {}};
+    const GuideFrame target = movingRight(one, speedPx);
     nnf_ = shift(exemplar, target, nnf_, &owed_);
   }
   [[nodiscard]] int frame() const { return nnf_(0, 0).frame; }
