@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -110,9 +112,9 @@ Vec2 weightedNeighbours(const GraphLevel& level, const Field& field, std::size_t
 
 class Multigrid {
  public:
-  Multigrid(PixelLevel finest, Size size) : finest_(std::move(finest)) {
+  Multigrid(PixelLevel finest, Size size, Pixel origin) : finest_(std::move(finest)) {
     int side = 2;
-    if (finest_.hasLinks()) levels_.push_back(coarserLevel(finest_, size));
+    if (finest_.hasLinks()) levels_.push_back(coarserLevel(finest_, size, origin));
     while (!levels_.empty() && !levels_.back().linkTo.empty()) {
       side *= 2;
       GraphLevel coarser = coarserLevel(levels_.back(), side);
@@ -426,13 +428,19 @@ class ConjugateGradients {
 
 }  // namespace
 
-SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field) {
+SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field, Pixel origin) {
+  assert(origin.x % 2 == 0 && origin.y % 2 == 0);
   // Keep what is given, forget the rest
   float largestSquare = 0.0F;
   for (int y = 0; y < region.height(); ++y) {
+    const std::uint8_t* given = isBorder.row(y);
+    Vec2* values = field.row(y);
     for (int x = 0; x < region.width(); ++x) {
-      if (isBorder(x, y) == 0) field(x, y) = Vec2{};
-      largestSquare = std::max(largestSquare, dot(field(x, y), field(x, y)));
+      if (given[x] == 0) {
+        values[x] = Vec2{};
+      } else {
+        largestSquare = std::max(largestSquare, dot(values[x], values[x]));
+      }
     }
   }
   const float largest = std::sqrt(largestSquare);
@@ -441,7 +449,8 @@ SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field
   PixelLevel level = pixelLevel(region, isBorder);
   if (level.count == 0) return {};
   PreciseField right = borderSums(level, isBorder, field);
-  ConjugateGradients gradients(Multigrid(std::move(level), region.size()), std::move(right));
+  ConjugateGradients gradients(Multigrid(std::move(level), region.size(), origin),
+                               std::move(right));
   const SolveReport report =
       gradients.solve(static_cast<double>(kDiffusionTolerance) * static_cast<double>(largest));
   const PreciseField& solution = gradients.solution();

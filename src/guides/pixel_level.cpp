@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "disjoint_sets.h"
 #include "fluidymation/core/index.h"
 
 namespace fluidymation {
@@ -184,9 +185,10 @@ void appendSpans(const Run& run, int beginX, int endX, const NeighbourRow& above
 
 /// Numbers the sets of linked pixels that share a 2x2 block: red before black, and in the order of
 /// the pixels. A block holds one set, or two pixels that only touch by their corners.
-void numberParents(PixelLevel& fine, Size size, GraphLevel& coarse) {
+void numberParents(PixelLevel& fine, Size size, Pixel origin, GraphLevel& coarse) {
   Image<int> numberOf(Size{(size.width + 1) / 2, (size.height + 1) / 2}, kNoUnknown);
   fine.parent.resize(at(fine.count));
+  const Pixel firstBlock{origin.x / 2, origin.y / 2};
   for (const int color : {0, 1}) {
     for (const PixelSpan& span : fine.spans) {
       const int blockY = span.y / 2;
@@ -194,14 +196,15 @@ void numberParents(PixelLevel& fine, Size size, GraphLevel& coarse) {
       const int across = span.y % 2 == 0 ? span.down : span.up;
       const bool alone = beside == kNoUnknown && across == kNoUnknown;
       const int firstBlockX = span.x / 2;
-      const int begin = span.begin + ((firstBlockX + blockY + color) & 1);
+      const int begin =
+          span.begin + ((firstBlockX + blockY + firstBlock.x + firstBlock.y + color) & 1);
       for (int i = begin; i < span.end; i += 2) {
         const int blockX = firstBlockX + i - span.begin;
         int number = alone ? kNoUnknown : numberOf(blockX, blockY);
         if (number == kNoUnknown) {
           number = static_cast<int>(coarse.blockX.size());
-          coarse.blockX.push_back(blockX);
-          coarse.blockY.push_back(blockY);
+          coarse.blockX.push_back(firstBlock.x + blockX);
+          coarse.blockY.push_back(firstBlock.y + blockY);
           if (!alone) numberOf(blockX, blockY) = number;
         }
         fine.parent[at(i)] = number;
@@ -262,9 +265,9 @@ PixelLevel pixelLevel(const Mask& region, const Mask& isBorder) {
   return level;
 }
 
-GraphLevel coarserLevel(PixelLevel& fine, Size size) {
+GraphLevel coarserLevel(PixelLevel& fine, Size size, Pixel origin) {
   GraphLevel coarse;
-  numberParents(fine, size, coarse);
+  numberParents(fine, size, origin, coarse);
   listChildren(fine.parent, coarse);
 
   // The parents of each pixel's neighbours, left, right, above, below

@@ -47,7 +47,8 @@ struct PixelLevel {
 [[nodiscard]] PixelLevel pixelLevel(const Mask& region, const Mask& isBorder);
 
 /// Level of 2x2 blocks above `fine`, whose `parent` is filled in.
-/// @param size  of the image.
-[[nodiscard]] GraphLevel coarserLevel(PixelLevel& fine, Size size);
+/// @param size    of the image.
+/// @param origin  even: where the image's first pixel lies in the grid of blocks.
+[[nodiscard]] GraphLevel coarserLevel(PixelLevel& fine, Size size, Pixel origin);
 
 }  // namespace fluidymation

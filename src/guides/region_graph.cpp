@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "disjoint_sets.h"
 #include "fluidymation/core/index.h"
 
 namespace fluidymation {
@@ -71,24 +72,6 @@ float borderFlux(float pairs, float pixels, float side) {
 }
 
 }  // namespace
-
-DisjointSets::DisjointSets(int count) : parent_(at(count)) {
-  std::iota(parent_.begin(), parent_.end(), 0);
-}
-
-int DisjointSets::find(int i) {
-  while (parent_[at(i)] != i) {
-    parent_[at(i)] = parent_[at(parent_[at(i)])];
-    i = parent_[at(i)];
-  }
-  return i;
-}
-
-void DisjointSets::join(int i, int j) {
-  const int a = find(i);
-  const int b = find(j);
-  parent_[at(std::max(a, b))] = std::min(a, b);
-}
 
 void listChildren(const std::vector<int>& parent, GraphLevel& coarse) {
   coarse.firstChild.assign(coarse.blockX.size() + 1, 0);

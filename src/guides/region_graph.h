@@ -32,18 +32,6 @@ struct GraphLevel {
   [[nodiscard]] int count() const { return static_cast<int>(diagonal.size()); }
 };
 
-/// Sets of unknowns that grow together.
-class DisjointSets {
- public:
-  explicit DisjointSets(int count);
-  /// The set's first member.
-  [[nodiscard]] int find(int i);
-  void join(int i, int j);
-
- private:
-  std::vector<int> parent_;
-};
-
 /// Fills in `firstChild` and `child`: the members of each coarse unknown, in order.
 void listChildren(const std::vector<int>& parent, GraphLevel& coarse);
 

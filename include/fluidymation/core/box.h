@@ -15,6 +15,7 @@ struct Box {
   int endX = 0;
   int endY = 0;
 
+  [[nodiscard]] Pixel begin() const { return {beginX, beginY}; }
   [[nodiscard]] Size size() const { return {endX - beginX, endY - beginY}; }
   [[nodiscard]] bool empty() const { return endX <= beginX || endY <= beginY; }
 };
@@ -25,6 +26,12 @@ struct Box {
   if (box.empty()) return {};
   return {std::max(box.beginX - margin, 0), std::max(box.beginY - margin, 0),
           std::min(box.endX + margin, size.width), std::min(box.endY + margin, size.height)};
+}
+
+/// The box with its begin moved to even coordinates, by a pixel at most: blocks of 2x2 pixels then
+/// lie within the box as they lie within the image.
+[[nodiscard]] inline Box fromEvenPixel(const Box& box) {
+  return {box.beginX - box.beginX % 2, box.beginY - box.beginY % 2, box.endX, box.endY};
 }
 
 /// The smallest box that holds two others.

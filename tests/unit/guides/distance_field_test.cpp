@@ -56,6 +56,26 @@ TEST(DistanceField, AgreesWithBruteForceWhenASinglePixelDiffers) {
   EXPECT_TRUE(test::nearEverywhere(bruteForce(hole), signedDistance(hole), 1e-5F));
 }
 
+TEST(DistanceField, IsExactFarAboveAndBelowAShape) {
+  const Size size{70, 260};
+  const Mask blobs = test::randomBlobs({30, 20}, 5);
+  for (const int top : {0, 100, 240}) {
+    const Mask mask = test::maskOf(size, [&](int x, int y) {
+      return blobs.contains(x - 20, y - top) && blobs(x - 20, y - top) != 0;
+    });
+    EXPECT_TRUE(test::nearEverywhere(bruteForce(mask), signedDistance(mask), 1e-5F)) << top;
+  }
+}
+
+TEST(DistanceField, IsExactBeyondWhatAFloatCounts) {
+  const Mask mask = test::maskOf({6000, 4}, [](int x, int y) { return x == 3 && y == 1; });
+  const Image<float> distance = signedDistance(mask);
+  for (int x = 5; x < 6000; ++x) {
+    const double square = (x - 3.0) * (x - 3.0) + 4.0;
+    ASSERT_EQ(distance(x, 3), -static_cast<float>(std::sqrt(square))) << x;
+  }
+}
+
 TEST(DistanceField, CommutesWithFlipsAndTransposition) {
   const Mask mask = test::randomBlobs({40, 23}, 3);
   const Image<float> distance = signedDistance(mask);
