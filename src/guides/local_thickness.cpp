@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/distance_field.h"
 
@@ -62,9 +63,8 @@ Mask thinPixels(const Image<float>& distance, const Mask& thick) {
   return thin;
 }
 
-}  // namespace
-
-Image<float> localThickness(const Image<float>& distance, float limitPx) {
+/// `localThickness`, in time that goes with all of the image.
+Image<float> thicknessOfAll(const Image<float>& distance, float limitPx) {
   // Thick parts at once, by the distance to their deep pixels
   const Mask thick = nearDeepPixels(distance, limitPx);
   Image<float> thickness(distance.size());
@@ -88,13 +88,32 @@ Image<float> localThickness(const Image<float>& distance, float limitPx) {
   return thickness;
 }
 
+/// All that thickness depends on.
+Box insideBox(const Image<float>& distance) {
+  return boundingBox(distance, [](float d) { return d > 0.0F; });
+}
+
+}  // namespace
+
+Image<float> localThickness(const Image<float>& distance, float limitPx) {
+  Image<float> thickness(distance.size());
+  const Box box = insideBox(distance);
+  const Image<float> within = thicknessOfAll(cropped(distance, box), limitPx);
+  for (int y = 0; y < within.height(); ++y) {
+    std::copy_n(within.row(y), within.width(), thickness.row(box.beginY + y) + box.beginX);
+  }
+  return thickness;
+}
+
 Image<float> stretchedDistance(const Image<float>& distance, float borderWidthPx) {
-  const Image<float> thickness = localThickness(distance, borderWidthPx);
   Image<float> stretched = distance.clone();
-  forEachRow(distance.height(), [&](int y) {
-    for (int x = 0; x < distance.width(); ++x) {
+  const Box box = insideBox(distance);
+  const Image<float> thickness = thicknessOfAll(cropped(distance, box), borderWidthPx);
+  forEachRow(thickness.height(), [&](int y) {
+    float* out = stretched.row(box.beginY + y) + box.beginX;
+    for (int x = 0; x < thickness.width(); ++x) {
       const float thin = thickness(x, y);
-      if (thin > 0.0F && thin < borderWidthPx) stretched(x, y) *= borderWidthPx / thin;
+      if (thin > 0.0F && thin < borderWidthPx) out[x] *= borderWidthPx / thin;
     }
   });
   return stretched;
