@@ -123,6 +123,8 @@ class Multigrid {
     for (const GraphLevel& level : levels_) {
       right_.emplace_back(at(level.count()));
       value_.emplace_back(at(level.count()));
+      shares_.emplace_back();
+      for (const float diagonal : level.diagonal) shares_.back().push_back(1.0F / diagonal);
     }
     finestRight_ = Field(at(finest_.count));
     finestValue_ = Field(at(finest_.count));
@@ -152,9 +154,8 @@ class Multigrid {
     for (std::size_t l = 0; l + 1 < levels_.size(); ++l) restrict(l);
 
     const GraphLevel& coarsest = levels_.back();
-    forEachUnknown(0, coarsest.count(), [&](std::size_t i) {
-      value_.back()[i] = (1.0F / coarsest.diagonal[i]) * right_.back()[i];
-    });
+    forEachUnknown(0, coarsest.count(),
+                   [&](std::size_t i) { value_.back()[i] = shares_.back()[i] * right_.back()[i]; });
     for (std::size_t l = levels_.size() - 1; l-- > 0;) {
       prolongate(l);
       for (int sweep = 0; sweep < kSmoothings; ++sweep) smooth(l);
@@ -185,7 +186,7 @@ class Multigrid {
     const GraphLevel& fine = levels_[l];
     const GraphLevel& coarse = levels_[l + 1];
     forEachUnknown(0, fine.count(),
-                   [&](std::size_t i) { plain_[i] = (1.0F / fine.diagonal[i]) * right_[l][i]; });
+                   [&](std::size_t i) { plain_[i] = shares_[l][i] * right_[l][i]; });
     forEachUnknown(0, coarse.count(), [&](std::size_t i) {
       Vec2 sum;
       for (int c = coarse.firstChild[i]; c < coarse.firstChild[i + 1]; ++c) {
@@ -222,7 +223,7 @@ class Multigrid {
     forEachUnknown(0, level.redCount,
                    [&](std::size_t i) { plain_[i] = value_[l + 1][at(level.parent[i])]; });
     forEachUnknown(level.redCount, level.count(), [&](std::size_t i) {
-      value_[l][i] = (1.0F / level.diagonal[i]) * weightedNeighbours(level, plain_, i);
+      value_[l][i] = shares_[l][i] * weightedNeighbours(level, plain_, i);
     });
   }
 
@@ -244,8 +245,7 @@ class Multigrid {
   void smooth(std::size_t l) {
     const GraphLevel& level = levels_[l];
     const auto relax = [&](std::size_t i) {
-      value_[l][i] =
-          (1.0F / level.diagonal[i]) * (right_[l][i] + weightedNeighbours(level, value_[l], i));
+      value_[l][i] = shares_[l][i] * (right_[l][i] + weightedNeighbours(level, value_[l], i));
     };
     forEachUnknown(0, level.redCount, relax);
     forEachUnknown(level.redCount, level.count(), relax);
@@ -280,13 +280,14 @@ class Multigrid {
   }
 
   PixelLevel finest_;
-  Field finestRight_;               ///< right-hand side
-  Field finestValue_;               ///< correction; sums of neighbours while restricting
-  std::vector<GraphLevel> levels_;  ///< the coarser ones, finest first
-  std::vector<Field> right_;        ///< as finestRight_, of each of these
-  std::vector<Field> value_;        ///< likewise
-  Field plain_;                     ///< scratch of restrict and prolongate
-  Field zeros_;                     ///< stands for the neighbours that are no unknowns
+  Field finestRight_;                       ///< right-hand side
+  Field finestValue_;                       ///< correction; sums of neighbours while restricting
+  std::vector<GraphLevel> levels_;          ///< the coarser ones, finest first
+  std::vector<Field> right_;                ///< as finestRight_, of each of these
+  std::vector<Field> value_;                ///< likewise
+  std::vector<std::vector<float>> shares_;  ///< one over each level's diagonal
+  Field plain_;                             ///< scratch of restrict and prolongate
+  Field zeros_;                             ///< stands for the neighbours that are no unknowns
 };
 
 /// What the given values of the border contribute to each unknown.

@@ -52,24 +52,22 @@ bool isZero(Vec2 v) { return v.x == 0.0F && v.y == 0.0F; }
 }  // namespace
 
 DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
-                             const Image<float>& distance, const Image<Vec2>& previous) {
+                             const Image<float>& distance, Image<Vec2> previous) {
   DirectionField result;
-  result.direction = Image<Vec2>(mask.size());
+  result.direction = previous.empty() ? Image<Vec2>(mask.size()) : std::move(previous);
   // What moves or has moved knows its direction; whether any pixel has to ask for more
   std::atomic<bool> asks{false};
   forEachRow(mask.height(), [&](int y) {
     const std::uint8_t* inside = mask.row(y);
     const Vec2* moved = flow.row(y);
-    const Vec2* last = previous.empty() ? nullptr : previous.row(y);
     Vec2* out = result.direction.row(y);
     bool rowAsks = false;
     for (int x = 0; x < mask.width(); ++x) {
-      if (inside[x] == 0) continue;
-      if (length(moved[x]) >= kStillPxPerFrame) {
+      if (inside[x] == 0) {
+        out[x] = Vec2{};
+      } else if (length(moved[x]) >= kStillPxPerFrame) {
         out[x] = unit(moved[x]);
-      } else if (last != nullptr && !isZero(last[x])) {
-        out[x] = last[x];
-      } else {
+      } else if (isZero(out[x])) {
         rowAsks = true;
       }
     }

@@ -256,6 +256,31 @@ class DistanceField {
   bool rootsAreExact_ = false;
 };
 
+/// Longest reach for which all pixels within it are tried. Their squares fit 16 bits.
+constexpr int kLongestTriedPx = 48;
+
+/// Steps along the column to the nearest pixel of the mask, at most `limit`, squared.
+Image<std::int16_t> squaredColumnSteps(const Mask& mask, int limit) {
+  Image<std::int16_t> steps(mask.size());
+  const auto none = static_cast<std::int16_t>(limit);
+  const auto follow = [&](const std::uint8_t* inside, const std::int16_t* last, std::int16_t* out) {
+    for (int x = 0; x < mask.width(); ++x) {
+      const auto further = static_cast<std::int16_t>(last[x] + 1);
+      out[x] = inside[x] != 0 ? std::int16_t{0} : std::min(out[x], further);
+    }
+  };
+  std::fill(steps.begin(), steps.end(), none);
+  const std::vector<std::int16_t> beyond(at(mask.width()), none);
+  for (int y = 0; y < mask.height(); ++y) {
+    follow(mask.row(y), y > 0 ? steps.row(y - 1) : beyond.data(), steps.row(y));
+  }
+  for (int y = mask.height() - 2; y >= 0; --y) {
+    follow(mask.row(y), steps.row(y + 1), steps.row(y));
+  }
+  for (std::int16_t& s : steps) s = static_cast<std::int16_t>(s * s);
+  return steps;
+}
+
 }  // namespace
 
 Image<float> signedDistance(const Mask& mask) {
@@ -264,6 +289,37 @@ Image<float> signedDistance(const Mask& mask) {
   if (inside == 0) return Image<float>(mask.size(), -standIn);
   if (inside == mask.pixelCount()) return Image<float>(mask.size(), standIn);
   return DistanceField(mask, boundingBox(mask)).make();
+}
+
+Image<float> distanceWithin(const Mask& mask, int reachPx) {
+  Image<float> distance(mask.size());
+  if (reachPx > kLongestTriedPx) {
+    const Image<float> field = signedDistance(mask);
+    std::transform(field.begin(), field.end(), distance.begin(),
+                   [](float d) { return std::max(-d, 0.0F); });
+    return distance;
+  }
+  const int beyond = reachPx + 1;
+  const Image<std::int16_t> steps = squaredColumnSteps(mask, beyond);
+  const int width = mask.width();
+  forEachRow(mask.height(), [&](int y) {
+    std::vector<std::int16_t> padded(at(width + 2 * reachPx),
+                                     static_cast<std::int16_t>(beyond * beyond));
+    std::copy_n(steps.row(y), width, padded.begin() + reachPx);
+    std::vector<std::int16_t> nearest(padded.begin() + reachPx, padded.end() - reachPx);
+    const std::int16_t* here = padded.data() + reachPx;
+    std::int16_t* best = nearest.data();
+    for (int dx = 1; dx <= reachPx; ++dx) {
+      const auto square = static_cast<std::int16_t>(dx * dx);
+      for (int x = 0; x < width; ++x) {
+        const std::int16_t beside = std::min(here[x - dx], here[x + dx]);
+        best[x] = std::min(best[x], static_cast<std::int16_t>(beside + square));
+      }
+    }
+    float* out = distance.row(y);
+    for (int x = 0; x < width; ++x) out[x] = std::sqrt(static_cast<float>(best[x]));
+  });
+  return distance;
 }
 
 }  // namespace fluidymation

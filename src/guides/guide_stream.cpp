@@ -122,6 +122,9 @@ bool GuideStream::anyInside() const {
 
 bool GuideStream::drawsLines() const {
   assert(nextFrame_ == 0);
+  Growth growth;
+  for (const StoredFrame& frame : frames_) growth.add(frame.shape.packedMask());
+  if (!growth.isDrawing()) return false;
   DrawnLines lines;
   for (const StoredFrame& frame : frames_) {
     lines.add(frame.shape.mask(), scatter(frame.shape.packedMask(), frame.flow));
@@ -148,10 +151,15 @@ GuideFrame GuideStream::next() {
   stored.flow = {};  // given away, and not asked for again
   stored.accBackward = {};
 
-  DirectionField direction = flowDirection(guides.mask, guides.flow, guides.distance, direction_);
+  Image<Vec2> previous;
+  if (nextFrame_ > 0) {
+    previous = scatter(frames_[at(nextFrame_ - 1)].shape.packedMask(), direction_);
+  }
+  DirectionField direction =
+      flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
   guides.direction = std::move(direction.direction);
   guides.diffusion = worse(stored.diffusion, direction.report);
-  direction_ = guides.direction.clone();
+  direction_ = gather(mask, guides.direction);
   ++nextFrame_;
   return guides;
 }

@@ -1,6 +1,7 @@
 #include "fluidymation/guides/local_thickness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "fluidymation/core/box.h"
@@ -47,9 +48,9 @@ Mask nearDeepPixels(const Image<float>& distance, float limitPx) {
                  [limitPx](float d) { return static_cast<std::uint8_t>(d >= limitPx ? 1 : 0); });
   Mask near(distance.size());
   if (countInside(deep) == 0) return near;
-  const Image<float> toDeep = signedDistance(deep);
+  const Image<float> toDeep = distanceWithin(deep, static_cast<int>(std::ceil(limitPx)));
   std::transform(toDeep.begin(), toDeep.end(), near.begin(),
-                 [limitPx](float d) { return static_cast<std::uint8_t>(-d < limitPx ? 1 : 0); });
+                 [limitPx](float d) { return static_cast<std::uint8_t>(d < limitPx ? 1 : 0); });
   return near;
 }
 
@@ -77,11 +78,11 @@ Image<float> thicknessOfAll(const Image<float>& distance, float limitPx) {
   // Thin parts disc by disc, as far as discs reach them
   const Mask thin = thinPixels(distance, thick);
   if (countInside(thin) == 0) return thickness;
-  const Image<float> toThin = signedDistance(thin);
+  const Image<float> toThin = distanceWithin(thin, static_cast<int>(std::ceil(limitPx)));
   for (int y = 0; y < distance.height(); ++y) {
     for (int x = 0; x < distance.width(); ++x) {
       const float depth = distance(x, y);
-      if (depth <= 0.0F || depth >= limitPx || -toThin(x, y) >= depth) continue;
+      if (depth <= 0.0F || depth >= limitPx || toThin(x, y) >= depth) continue;
       if (!isCovered(distance, x, y)) coverDisc(distance, x, y, depth, thickness);
     }
   }

@@ -1,6 +1,7 @@
 #include "fluidymation/guides/packed_mask.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +25,14 @@ PackedMask::PackedMask(const Mask& mask)
   }
 }
 
-std::size_t PackedMask::count() const {
+std::size_t PackedMask::count() const { return countShared(*this); }
+
+std::size_t PackedMask::countShared(const PackedMask& other) const {
+  assert(size_ == other.size_);
   std::size_t count = 0;
-  forEachRun([&](std::size_t begin, std::size_t end) { count += end - begin; });
+  for (std::size_t w = 0; w < bits_.size(); ++w) {
+    count += std::bitset<kBits>(bits_[w] & other.bits_[w]).count();
+  }
   return count;
 }
 

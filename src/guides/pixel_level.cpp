@@ -273,13 +273,13 @@ GraphLevel coarserLevel(PixelLevel& fine, Size size, Pixel origin) {
   // The parents of each pixel's neighbours, left, right, above, below
   std::vector<std::array<int, 4>> parentsBeside(at(fine.count));
   coarse.givenPairs.assign(coarse.blockX.size(), 0.0F);
+  const auto parentOf = [&](int unknown, int k) {
+    return unknown == kNoUnknown ? kNoUnknown : fine.parent[at(unknown + k)];
+  };
   for (const PixelSpan& span : fine.spans) {
-    const std::array<int, 4> links = {span.left, span.right, span.up, span.down};
-    for (std::size_t side = 0; side < links.size(); ++side) {
-      for (int k = 0; k < span.end - span.begin; ++k) {
-        parentsBeside[at(span.begin + k)][side] =
-            links[side] == kNoUnknown ? kNoUnknown : fine.parent[at(links[side] + k)];
-      }
+    for (int k = 0; k < span.end - span.begin; ++k) {
+      parentsBeside[at(span.begin + k)] = {parentOf(span.left, k), parentOf(span.right, k),
+                                           parentOf(span.up, k), parentOf(span.down, k)};
     }
     if (span.given == 0) continue;
     for (int i = span.begin; i < span.end; ++i) {

@@ -86,7 +86,11 @@ void listChildren(const std::vector<int>& parent, GraphLevel& coarse) {
 
 LinkCollector::LinkCollector(GraphLevel& coarse)
     : coarse_(coarse), linkOf_(coarse.blockX.size(), -1) {
+  constexpr std::size_t kUsualLinks = 4;  // to the blocks beside
+  coarse_.firstLink.reserve(linkOf_.size() + 1);
   coarse_.firstLink.push_back(0);
+  coarse_.linkTo.reserve(kUsualLinks * linkOf_.size());
+  coarse_.linkPairs.reserve(kUsualLinks * linkOf_.size());
 }
 
 void LinkCollector::add(int to, float pairs) {

@@ -37,7 +37,8 @@ class GuideStream {
   /// Whether any mask still has material after smoothing. Asked before the first `next()`.
   [[nodiscard]] bool anyInside() const;
 
-  /// Whether the sequence is lines being drawn, see `DrawnLines`. Asked before the first `next()`.
+  /// Whether the sequence is lines being drawn, see `Growth` and `DrawnLines`. Asked before the
+  /// first `next()`.
   [[nodiscard]] bool drawsLines() const;
 
   /// Guides of the next frame; must not be called more than `frameCount()` times.
@@ -66,7 +67,7 @@ class GuideStream {
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
   std::vector<Vec2> accForward_;  ///< of the mask pixels of the frame given last
-  Image<Vec2> direction_;         ///< of the same frame
+  std::vector<Vec2> direction_;   ///< likewise
 };
 
 }  // namespace fluidymation

@@ -19,7 +19,9 @@ class PackedMask {
 
   [[nodiscard]] Size size() const { return size_; }
   [[nodiscard]] std::size_t count() const;  ///< pixels inside
-  [[nodiscard]] Box box() const;            ///< the smallest that holds all of it
+  /// Pixels inside both. @param other  of the same size (asserted).
+  [[nodiscard]] std::size_t countShared(const PackedMask& other) const;
+  [[nodiscard]] Box box() const;  ///< the smallest that holds all of it
   [[nodiscard]] Mask unpack() const;
   [[nodiscard]] Mask unpack(const Box& box) const;  ///< the part within the box
 

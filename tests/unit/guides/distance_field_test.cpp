@@ -1,6 +1,8 @@
 #include "fluidymation/guides/distance_field.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "support/comparison.h"
 #include "support/shapes.h"
@@ -73,6 +75,24 @@ TEST(DistanceField, IsExactBeyondWhatAFloatCounts) {
   for (int x = 5; x < 6000; ++x) {
     const double square = (x - 3.0) * (x - 3.0) + 4.0;
     ASSERT_EQ(distance(x, 3), -static_cast<float>(std::sqrt(square))) << x;
+  }
+}
+
+TEST(DistanceWithin, IsTheDistanceAsFarAsItReaches) {
+  for (const int reachPx : {0, 1, 7, 20, 60}) {
+    for (const Mask& mask : {test::randomBlobs({70, 50}, 4), test::randomMask({70, 50}, 8, 1),
+                             Mask(Size{9, 5}, 1), Mask(Size{9, 5})}) {
+      const Image<float> exact = signedDistance(mask);
+      const Image<float> distance = distanceWithin(mask, reachPx);
+      for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+        const float expected = std::max(-exact.data()[i], 0.0F);
+        if (expected <= static_cast<float>(reachPx)) {
+          ASSERT_EQ(distance.data()[i], expected);
+        } else {
+          ASSERT_GT(distance.data()[i], static_cast<float>(reachPx));
+        }
+      }
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "fluidymation/guides/packed_mask.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -114,6 +115,9 @@ TEST(PackedMask, StretchesTellWhatTwoMasksShare) {
           if (mask.data()[i] != 0) expected.push_back(otherRanks[i]);
         }
         EXPECT_EQ(ranks, expected);
+        const auto unshared = std::count(expected.begin(), expected.end(), -1);
+        EXPECT_EQ(PackedMask(mask).countShared(PackedMask(other)),
+                  expected.size() - static_cast<std::size_t>(unshared));
       }
     }
   }
