@@ -292,6 +292,7 @@ Image<float> signedDistance(const Mask& mask) {
 }
 
 Image<float> distanceWithin(const Mask& mask, int reachPx) {
+  if (countInside(mask) == 0) return Image<float>(mask.size(), static_cast<float>(reachPx + 1));
   Image<float> distance(mask.size());
   if (reachPx > kLongestTriedPx) {
     const Image<float> field = signedDistance(mask);
