@@ -1,30 +1,37 @@
 #include "fluidymation/guides/accumulation.h"
 
-#include "fluidymation/core/parallel.h"
+#include <cstddef>
 
 namespace fluidymation {
 
-Image<Vec2> accumulateForward(const Image<Vec2>& previous, const Image<Vec2>& flow,
-                              const Mask& mask) {
-  Image<Vec2> accumulated(mask.size());
-  forEachRow(mask.height(), [&](int y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) != 0) accumulated(x, y) = previous(x, y) + flow(x, y);
-    }
-  });
+std::vector<Vec2> accumulateForward(const PackedMask& previousMask,
+                                    const std::vector<Vec2>& previous, const PackedMask& mask,
+                                    const std::vector<Vec2>& flow) {
+  std::vector<Vec2> accumulated(flow.size());
+  forEachStretch(
+      mask, previousMask,
+      [&](std::size_t begin, std::size_t end, std::size_t own, bool isShared, std::size_t other) {
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          accumulated[own + i] = (isShared ? previous[other + i] : Vec2{}) + flow[own + i];
+        }
+      });
   return accumulated;
 }
 
-Image<Vec2> accumulateBackward(const Image<Vec2>& next, const Image<Vec2>& nextFlow,
-                               const Mask& nextMask, const Image<Vec2>& flow, const Mask& mask) {
-  Image<Vec2> accumulated(mask.size());
-  forEachRow(mask.height(), [&](int y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) == 0) continue;
-      // Where the material leaves, the next frame has no flow to offer: its own last one stands in
-      accumulated(x, y) = next(x, y) + (nextMask(x, y) != 0 ? nextFlow(x, y) : flow(x, y));
-    }
-  });
+std::vector<Vec2> accumulateBackward(const PackedMask& nextMask, const std::vector<Vec2>& next,
+                                     const std::vector<Vec2>& nextFlow, const PackedMask& mask,
+                                     const std::vector<Vec2>& flow) {
+  std::vector<Vec2> accumulated(flow.size());
+  forEachStretch(
+      mask, nextMask,
+      [&](std::size_t begin, std::size_t end, std::size_t own, bool isShared, std::size_t other) {
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          // Where the material leaves, the next frame has no flow to offer: its own last one stands
+          // in
+          accumulated[own + i] =
+              isShared ? next[other + i] + nextFlow[other + i] : Vec2{} + flow[own + i];
+        }
+      });
   return accumulated;
 }
 

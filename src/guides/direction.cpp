@@ -1,7 +1,13 @@
 #include "fluidymation/guides/direction.h"
 
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/diffusion.h"
+#include "fluidymation/guides/gaussian.h"
 #include "fluidymation/guides/motion.h"
 #include "gradient.h"
 
@@ -9,20 +15,29 @@ namespace fluidymation {
 namespace {
 
 /// Outward normals of the border, spread over the inside. Not of unit length.
-Image<Vec2> extendedNormals(const Mask& mask, const Image<float>& distance, SolveReport& report) {
-  const Mask border = borderPixels(mask);
-  const Image<float> smooth = motionDistance(distance);
-  Image<Vec2> normals(mask.size());
-  forEachRow(mask.height(), [&](int y) {
-    for (int x = 0; x < mask.width(); ++x) {
+struct ExtendedNormals {
+  Box box;  ///< what the mask reaches, and how far its gradients look
+  Image<Vec2> normals;
+  SolveReport report;
+};
+
+ExtendedNormals extendNormals(const Mask& mask, const Image<float>& distance) {
+  const int marginPx = 1 + gaussianReach(kStaircaseSigmaPx);
+  const Box box = fromEvenPixel(grown(boundingBox(mask), marginPx, mask.size()));
+  const Mask part = cropped(mask, box);
+  const Mask border = borderPixels(part);
+  const Image<float> smooth = motionDistance(cropped(distance, box));
+  ExtendedNormals result{box, Image<Vec2>(part.size()), {}};
+  forEachRow(part.height(), [&](int y) {
+    for (int x = 0; x < part.width(); ++x) {
       if (border(x, y) == 0) continue;
       const Vec2 gradient = gradientAt(smooth, x, y);
       const float steepness = length(gradient);
-      if (steepness >= kFlatGradient) normals(x, y) = (-1.0F / steepness) * gradient;
+      if (steepness >= kFlatGradient) result.normals(x, y) = (-1.0F / steepness) * gradient;
     }
   });
-  report = diffuse(mask, border, normals);
-  return normals;
+  result.report = diffuse(part, border, result.normals, box.begin());
+  return result;
 }
 
 /// The vector at unit length; (1, 0) for one too short to have a direction.
@@ -32,28 +47,43 @@ Vec2 unit(Vec2 v) {
   return norm > kNoDirection ? (1.0F / norm) * v : Vec2{1.0F, 0.0F};
 }
 
+bool isZero(Vec2 v) { return v.x == 0.0F && v.y == 0.0F; }
+
 }  // namespace
 
 DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
-                             const Image<float>& distance, const Image<Vec2>& previous) {
+                             const Image<float>& distance, Image<Vec2> previous) {
   DirectionField result;
-  result.direction = Image<Vec2>(mask.size());
-  Image<Vec2>& direction = result.direction;
-  Image<Vec2> normals;  // wanted in few frames only: made when the first pixel asks for them
-  for (int y = 0; y < mask.height(); ++y) {
+  result.direction = previous.empty() ? Image<Vec2>(mask.size()) : std::move(previous);
+  // What moves or has moved knows its direction; whether any pixel has to ask for more
+  std::atomic<bool> asks{false};
+  forEachRow(mask.height(), [&](int y) {
+    const std::uint8_t* inside = mask.row(y);
+    const Vec2* moved = flow.row(y);
+    Vec2* out = result.direction.row(y);
+    bool rowAsks = false;
     for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) == 0) continue;
-      const Vec2 last = previous.empty() ? Vec2{} : previous(x, y);
-      if (length(flow(x, y)) >= kStillPxPerFrame) {
-        direction(x, y) = unit(flow(x, y));
-      } else if (last.x != 0.0F || last.y != 0.0F) {
-        direction(x, y) = last;
-      } else {
-        if (normals.empty()) normals = extendedNormals(mask, distance, result.report);
-        direction(x, y) = unit(normals(x, y));
+      if (inside[x] == 0) {
+        out[x] = Vec2{};
+      } else if (length(moved[x]) >= kStillPxPerFrame) {
+        out[x] = unit(moved[x]);
+      } else if (isZero(out[x])) {
+        rowAsks = true;
       }
     }
-  }
+    if (rowAsks) asks = true;
+  });
+  if (!asks) return result;
+
+  const ExtendedNormals extended = extendNormals(mask, distance);
+  result.report = extended.report;
+  forEachRow(extended.box.size().height, [&](int row) {
+    const int y = extended.box.beginY + row;
+    for (int x = extended.box.beginX; x < extended.box.endX; ++x) {
+      if (mask(x, y) == 0 || !isZero(result.direction(x, y))) continue;
+      result.direction(x, y) = unit(extended.normals(x - extended.box.beginX, row));
+    }
+  });
   return result;
 }
 

@@ -2,38 +2,30 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <utility>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/accumulation.h"
 #include "fluidymation/guides/direction.h"
 #include "fluidymation/guides/drawn_lines.h"
 #include "fluidymation/guides/flow_average.h"
+#include "fluidymation/guides/gaussian.h"
 #include "fluidymation/guides/motion.h"
+#include "fluidymation/guides/packed_mask.h"
 #include "shape_change.h"
 
 namespace fluidymation {
 namespace {
 
-/// The values inside the mask, in row order.
-std::vector<Vec2> gather(const Mask& mask, const Image<Vec2>& image) {
-  std::vector<Vec2> values;
-  values.reserve(countInside(mask));
-  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
-    if (mask.data()[i] != 0) values.push_back(image.data()[i]);
-  }
-  return values;
-}
+/// What the flow at a border pixel is made of beside it: the gradient's neighbours, smoothed by
+/// `kStaircaseSigmaPx`.
+int flowMarginPx() { return 1 + gaussianReach(kStaircaseSigmaPx); }
 
-/// The inverse of `gather`; zero outside.
-Image<Vec2> scatter(const Mask& mask, const std::vector<Vec2>& values) {
-  Image<Vec2> image(mask.size());
-  auto value = values.begin();
-  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
-    if (mask.data()[i] != 0) image.data()[i] = *value++;
-  }
-  assert(value == values.end());
-  return image;
+bool hasEdge(const PackedMask& mask) {
+  const std::size_t inside = mask.count();
+  return inside != 0 && inside != at(mask.size().width) * at(mask.size().height);
 }
 
 }  // namespace
@@ -44,11 +36,11 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   assert(frameCount >= 1);
   std::vector<bool> edge;
   for (PackedShape& shape : readShapes(frameCount, readMask, options.mask, watch)) {
-    const Mask mask = shape.mask();
+    edge.push_back(hasEdge(shape.packedMask()));
+    const std::size_t inside = shape.packedMask().count();
     StoredFrame frame{std::move(shape), {}, {}, {}};
-    frame.flow.resize(countInside(mask));  // zero, until the frame turns out to move
+    frame.flow.resize(inside);  // zero, until the frame turns out to move
     frames_.push_back(std::move(frame));
-    edge.push_back(hasEdge(mask));
   }
 
   if (readFlow) {
@@ -58,28 +50,22 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   }
 
   // Motion still to come, from the last frame backwards (§3.5)
-  Mask nextMask = frames_.back().shape.mask();
-  Image<Vec2> nextFlow = scatter(nextMask, frames_.back().flow);
-  Image<Vec2> accumulated(nextMask.size());
   frames_.back().accBackward.resize(frames_.back().flow.size());
   for (int i = frameCount - 2; i >= 0; --i) {
+    const StoredFrame& next = frames_[at(i + 1)];
     StoredFrame& frame = frames_[at(i)];
-    Mask mask = frame.shape.mask();
-    Image<Vec2> flow = scatter(mask, frame.flow);
-    accumulated = accumulateBackward(accumulated, nextFlow, nextMask, flow, mask);
-    frame.accBackward = gather(mask, accumulated);
-    nextMask = std::move(mask);
-    nextFlow = std::move(flow);
+    frame.accBackward = accumulateBackward(next.shape.packedMask(), next.accBackward, next.flow,
+                                           frame.shape.packedMask(), frame.flow);
   }
 }
 
-void GuideStream::deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options) {
+void GuideStream::deriveFlow(const std::vector<bool>& edge, const GuideOptions& options) {
   // Frames without an edge, empty and full ones, have stand-ins for distances: they end the
   // temporal window on both sides as the ends of the sequence do.
   for (int begin = 0; begin < frameCount(); ++begin) {
-    if (!hasEdge[at(begin)]) continue;
+    if (!edge[at(begin)]) continue;
     int end = begin + 1;
-    while (end < frameCount() && hasEdge[at(end)]) ++end;
+    while (end < frameCount() && edge[at(end)]) ++end;
     computeFlow(begin, end, options);
     begin = end;
   }
@@ -89,20 +75,28 @@ void GuideStream::takeFlow(const FlowReader& readFlow) {
   Mask previousMask(frames_.front().shape.size());
   for (int i = 0; i < frameCount(); ++i) {
     Mask mask = frames_[at(i)].shape.mask();
-    frames_[at(i)].flow = gather(mask, readFlow(i, previousMask));
+    frames_[at(i)].flow = gather(frames_[at(i)].shape.packedMask(), readFlow(i, previousMask));
     previousMask = std::move(mask);
   }
 }
 
 void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
   if (end - begin < 2) return;  // a single frame does not move
-  ShapeChanges changes(end - begin, options.timeBlurSigmaFrames,
-                       [&](int i) { return frames_[at(begin + i)].shape.edgeDistance(); });
+  Box shapes;
+  for (int i = begin; i < end; ++i) {
+    shapes = joined(shapes, frames_[at(i)].shape.packedMask().box());
+  }
+  const Box box = fromEvenPixel(grown(shapes, flowMarginPx(), frames_[at(begin)].shape.size()));
+  ShapeChanges changes(end - begin, options.timeBlurSigmaFrames, [&](int i) {
+    const PackedShape& shape = frames_[at(begin + i)].shape;
+    return ShapeChanges::Shape{shape.packedMask().unpack(box), shape.edgeDistance(box)};
+  });
   for (int i = begin; i < end; ++i) {
     StoredFrame& frame = frames_[at(i)];
-    const Mask mask = frame.shape.mask();
-    const MotionField motion = motionField(mask, changes.at(i - begin), options.motionModel);
-    frame.flow = gather(mask, motion.flow);
+    const PackedMask& mask = frame.shape.packedMask();
+    const MotionField motion =
+        motionField(mask.unpack(box), changes.at(i - begin), options.motionModel, box.begin());
+    frame.flow = gather(mask, motion.flow, box);
     frame.diffusion = motion.report;
   }
   if (options.flowBlurSigmaFrames > 0.0F) averageFlow(begin, end, options.flowBlurSigmaFrames);
@@ -110,13 +104,13 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
 
 void GuideStream::averageFlow(int begin, int end, float sigmaFrames) {
   FlowAverages averages(end - begin, sigmaFrames, [&](int i) {
-    Mask mask = frames_[at(begin + i)].shape.mask();
-    Image<Vec2> flow = scatter(mask, frames_[at(begin + i)].flow);
-    return FlowAverages::MovingFrame{std::move(mask), std::move(flow)};
+    const StoredFrame& frame = frames_[at(begin + i)];
+    return FlowAverages::MovingFrame{frame.shape.mask(),
+                                     scatter(frame.shape.packedMask(), frame.flow)};
   });
   for (int i = begin; i < end; ++i) {
     const Image<Vec2> average = averages.at(i - begin);
-    frames_[at(i)].flow = gather(frames_[at(i)].shape.mask(), average);
+    frames_[at(i)].flow = gather(frames_[at(i)].shape.packedMask(), average);
   }
 }
 
@@ -128,10 +122,12 @@ bool GuideStream::anyInside() const {
 
 bool GuideStream::drawsLines() const {
   assert(nextFrame_ == 0);
+  Growth growth;
+  for (const StoredFrame& frame : frames_) growth.add(frame.shape.packedMask());
+  if (!growth.isDrawing()) return false;
   DrawnLines lines;
   for (const StoredFrame& frame : frames_) {
-    const Mask mask = frame.shape.mask();
-    lines.add(mask, scatter(mask, frame.flow));
+    lines.add(frame.shape.mask(), scatter(frame.shape.packedMask(), frame.flow));
   }
   return lines.found();
 }
@@ -141,19 +137,29 @@ GuideFrame GuideStream::next() {
   StoredFrame& stored = frames_[at(nextFrame_)];
   GuideFrame guides;
   stored.shape.addTo(guides);
-  guides.flow = scatter(guides.mask, stored.flow);
-  guides.accBackward = scatter(guides.mask, stored.accBackward);
+  const PackedMask& mask = stored.shape.packedMask();
+  guides.flow = scatter(mask, stored.flow);
+  guides.accBackward = scatter(mask, stored.accBackward);
   if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
+  if (nextFrame_ == 0) {
+    accForward_.resize(stored.flow.size());
+  } else {
+    accForward_ = accumulateForward(frames_[at(nextFrame_ - 1)].shape.packedMask(), accForward_,
+                                    mask, stored.flow);
+  }
+  guides.accForward = scatter(mask, accForward_);
   stored.flow = {};  // given away, and not asked for again
   stored.accBackward = {};
 
-  DirectionField direction = flowDirection(guides.mask, guides.flow, guides.distance, direction_);
+  Image<Vec2> previous;
+  if (nextFrame_ > 0) {
+    previous = scatter(frames_[at(nextFrame_ - 1)].shape.packedMask(), direction_);
+  }
+  DirectionField direction =
+      flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
   guides.direction = std::move(direction.direction);
   guides.diffusion = worse(stored.diffusion, direction.report);
-  guides.accForward = nextFrame_ == 0 ? Image<Vec2>(guides.mask.size())
-                                      : accumulateForward(accForward_, guides.flow, guides.mask);
-  direction_ = guides.direction.clone();
-  accForward_ = guides.accForward.clone();
+  direction_ = gather(mask, guides.direction);
   ++nextFrame_;
   return guides;
 }

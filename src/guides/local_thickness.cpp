@@ -1,8 +1,10 @@
 #include "fluidymation/guides/local_thickness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/distance_field.h"
 
@@ -46,9 +48,9 @@ Mask nearDeepPixels(const Image<float>& distance, float limitPx) {
                  [limitPx](float d) { return static_cast<std::uint8_t>(d >= limitPx ? 1 : 0); });
   Mask near(distance.size());
   if (countInside(deep) == 0) return near;
-  const Image<float> toDeep = signedDistance(deep);
+  const Image<float> toDeep = distanceWithin(deep, static_cast<int>(std::ceil(limitPx)));
   std::transform(toDeep.begin(), toDeep.end(), near.begin(),
-                 [limitPx](float d) { return static_cast<std::uint8_t>(-d < limitPx ? 1 : 0); });
+                 [limitPx](float d) { return static_cast<std::uint8_t>(d < limitPx ? 1 : 0); });
   return near;
 }
 
@@ -62,9 +64,8 @@ Mask thinPixels(const Image<float>& distance, const Mask& thick) {
   return thin;
 }
 
-}  // namespace
-
-Image<float> localThickness(const Image<float>& distance, float limitPx) {
+/// `localThickness`, in time that goes with all of the image.
+Image<float> thicknessOfAll(const Image<float>& distance, float limitPx) {
   // Thick parts at once, by the distance to their deep pixels
   const Mask thick = nearDeepPixels(distance, limitPx);
   Image<float> thickness(distance.size());
@@ -77,24 +78,43 @@ Image<float> localThickness(const Image<float>& distance, float limitPx) {
   // Thin parts disc by disc, as far as discs reach them
   const Mask thin = thinPixels(distance, thick);
   if (countInside(thin) == 0) return thickness;
-  const Image<float> toThin = signedDistance(thin);
+  const Image<float> toThin = distanceWithin(thin, static_cast<int>(std::ceil(limitPx)));
   for (int y = 0; y < distance.height(); ++y) {
     for (int x = 0; x < distance.width(); ++x) {
       const float depth = distance(x, y);
-      if (depth <= 0.0F || depth >= limitPx || -toThin(x, y) >= depth) continue;
+      if (depth <= 0.0F || depth >= limitPx || toThin(x, y) >= depth) continue;
       if (!isCovered(distance, x, y)) coverDisc(distance, x, y, depth, thickness);
     }
   }
   return thickness;
 }
 
+/// All that thickness depends on.
+Box insideBox(const Image<float>& distance) {
+  return boundingBox(distance, [](float d) { return d > 0.0F; });
+}
+
+}  // namespace
+
+Image<float> localThickness(const Image<float>& distance, float limitPx) {
+  Image<float> thickness(distance.size());
+  const Box box = insideBox(distance);
+  const Image<float> within = thicknessOfAll(cropped(distance, box), limitPx);
+  for (int y = 0; y < within.height(); ++y) {
+    std::copy_n(within.row(y), within.width(), thickness.row(box.beginY + y) + box.beginX);
+  }
+  return thickness;
+}
+
 Image<float> stretchedDistance(const Image<float>& distance, float borderWidthPx) {
-  const Image<float> thickness = localThickness(distance, borderWidthPx);
   Image<float> stretched = distance.clone();
-  forEachRow(distance.height(), [&](int y) {
-    for (int x = 0; x < distance.width(); ++x) {
+  const Box box = insideBox(distance);
+  const Image<float> thickness = thicknessOfAll(cropped(distance, box), borderWidthPx);
+  forEachRow(thickness.height(), [&](int y) {
+    float* out = stretched.row(box.beginY + y) + box.beginX;
+    for (int x = 0; x < thickness.width(); ++x) {
       const float thin = thickness(x, y);
-      if (thin > 0.0F && thin < borderWidthPx) stretched(x, y) *= borderWidthPx / thin;
+      if (thin > 0.0F && thin < borderWidthPx) out[x] *= borderWidthPx / thin;
     }
   });
   return stretched;

@@ -5,37 +5,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/guides/input_mask.h"
 
 namespace fluidymation {
 namespace {
-
-/// Half-open rectangle of pixels; empty where end <= begin.
-struct Box {
-  int beginX = 0;
-  int beginY = 0;
-  int endX = 0;
-  int endY = 0;
-};
-
-/// The smallest box that holds the mask, grown by `margin` pixels as far as the image reaches.
-template <typename T>
-Box boundingBox(const Image<T>& mask, int margin) {
-  Box box{mask.width(), mask.height(), 0, 0};
-  for (int y = 0; y < mask.height(); ++y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) == T{}) continue;
-      box.beginX = std::min(box.beginX, x);
-      box.beginY = std::min(box.beginY, y);
-      box.endX = std::max(box.endX, x + 1);
-      box.endY = std::max(box.endY, y + 1);
-    }
-  }
-  if (box.endX == 0) return {};
-  return {std::max(box.beginX - margin, 0), std::max(box.beginY - margin, 0),
-          std::min(box.endX + margin, mask.width()), std::min(box.endY + margin, mask.height())};
-}
 
 float coverageOf(std::uint8_t inside) { return inside != 0 ? 1.0F : 0.0F; }
 float coverageOf(float coverage) { return coverage; }
@@ -45,7 +20,8 @@ float coverageOf(float coverage) { return coverage; }
 /// last pixels are zero, so that repeating them is as good as the truth.
 template <typename T>
 std::pair<Box, Image<float>> blurredBox(const Image<T>& image, float sigmaPx) {
-  const Box box = boundingBox(image, gaussianReach(sigmaPx));
+  const Box covered = boundingBox(image, [](T value) { return value != T{}; });
+  const Box box = grown(covered, gaussianReach(sigmaPx), image.size());
   Image<float> within(Size{box.endX - box.beginX, box.endY - box.beginY});
   for (int y = 0; y < within.height(); ++y) {
     for (int x = 0; x < within.width(); ++x) {
@@ -87,23 +63,6 @@ Image<float> blurredMask(const Mask& mask, float radiusPx) {
 bool hasEdge(const Mask& mask) {
   const std::size_t inside = countInside(mask);
   return inside != 0 && inside != mask.pixelCount();
-}
-
-PackedMask::PackedMask(const Mask& mask)
-    : size_(mask.size()), bits_((mask.pixelCount() + 63) / 64) {
-  const std::uint8_t* pixels = mask.data();
-  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
-    if (pixels[i] != 0) bits_[i / 64] |= std::uint64_t{1} << (i % 64);
-  }
-}
-
-Mask PackedMask::unpack() const {
-  Mask mask(size_);
-  std::uint8_t* pixels = mask.data();
-  for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
-    pixels[i] = static_cast<std::uint8_t>((bits_[i / 64] >> (i % 64)) & 1U);
-  }
-  return mask;
 }
 
 }  // namespace fluidymation

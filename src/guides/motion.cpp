@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "components.h"
@@ -13,18 +16,11 @@
 namespace fluidymation {
 namespace {
 
-/// Largest depth of each connected part, at least 0: how far it may move in one frame.
-std::vector<float> thicknesses(const Components& parts, const Image<float>& depth) {
-  std::vector<float> largest(static_cast<std::size_t>(parts.count), 0.0F);
-  for (int y = 0; y < depth.height(); ++y) {
-    for (int x = 0; x < depth.width(); ++x) {
-      const int part = parts.label(x, y);
-      if (part < 0) continue;
-      float& value = largest[static_cast<std::size_t>(part)];
-      value = std::max(value, depth(x, y));
-    }
-  }
-  return largest;
+/// The smoothed field at a pixel.
+float smoothAt(const ShapeChange& change, int x, int y) {
+  float sum = 0.0F;
+  for (const WeightedField& share : change.smooth) sum += share.weight * (*share.field)(x, y);
+  return sum;
 }
 
 /// The smoothed change of the distance at a pixel, px per frame.
@@ -41,16 +37,38 @@ float advance(const ShapeChange& change, int x, int y, float limitPx) {
 
 Mask borderPixels(const Mask& mask) {
   Mask border(mask.size());
+  const int width = mask.width();
   forEachRow(mask.height(), [&](int y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (mask(x, y) == 0) continue;
-      // Past the image edge the nearest pixel is this one, which is inside: no border there
-      const bool surrounded = mask.clamped(x - 1, y) != 0 && mask.clamped(x + 1, y) != 0 &&
-                              mask.clamped(x, y - 1) != 0 && mask.clamped(x, y + 1) != 0;
-      border(x, y) = surrounded ? 0 : 1;
-    }
+    // Past the image edge the nearest pixel is the one at the edge: no border there
+    const std::uint8_t* here = mask.row(y);
+    const std::uint8_t* above = mask.row(std::max(y - 1, 0));
+    const std::uint8_t* below = mask.row(std::min(y + 1, mask.height() - 1));
+    std::uint8_t* out = border.row(y);
+    const auto mark = [&](int x, int left, int right) {
+      const bool surrounded =
+          ((here[left] != 0) & (here[right] != 0) & (above[x] != 0) & (below[x] != 0)) != 0;
+      out[x] = static_cast<std::uint8_t>((here[x] != 0) & !surrounded);
+    };
+    if (width == 0) return;
+    mark(0, 0, std::min(1, width - 1));
+    for (int x = 1; x < width - 1; ++x) mark(x, x - 1, x + 1);
+    mark(width - 1, std::max(width - 2, 0), width - 1);
   });
   return border;
+}
+
+std::vector<float> partThicknesses(const Mask& mask, const Image<float>& depth) {
+  const Components parts = findComponents(mask);
+  std::vector<float> largest(static_cast<std::size_t>(parts.count), 0.0F);
+  for (int y = 0; y < depth.height(); ++y) {
+    for (int x = 0; x < depth.width(); ++x) {
+      const int part = parts.label(x, y);
+      if (part < 0) continue;
+      float& value = largest[static_cast<std::size_t>(part)];
+      value = std::max(value, depth(x, y));
+    }
+  }
+  return largest;
 }
 
 Image<float> continuousDistance(const Image<float>& signedDistance) {
@@ -68,11 +86,12 @@ Image<float> motionDistance(const Image<float>& signedDistance) {
   return gaussianBlur(continuousDistance(signedDistance), kStaircaseSigmaPx);
 }
 
-MotionField motionField(const Mask& mask, const ShapeChange& change, MotionModel model) {
+MotionField motionField(const Mask& mask, const ShapeChange& change, MotionModel model,
+                        Pixel origin) {
   assert(change.fields.size() == change.stepWeights.size() + 1);
   const Mask border = borderPixels(mask);
   const Components parts = findComponents(mask);
-  const std::vector<float> limits = thicknesses(parts, change.depth);
+  assert(change.thicknesses.size() == static_cast<std::size_t>(parts.count));
 
   // Movement along the outward normal at the border
   Image<Vec2> normals(mask.size());
@@ -80,30 +99,34 @@ MotionField motionField(const Mask& mask, const ShapeChange& change, MotionModel
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {
       if (border(x, y) == 0) continue;
-      const Vec2 gradient = gradientAt(change.smooth, x, y);
+      const Vec2 gradient =
+          gradientOf([&](int sx, int sy) { return smoothAt(change, sx, sy); }, mask.size(), x, y);
       const float steepness = length(gradient);
       if (steepness < kFlatGradient) continue;
       normals(x, y) = (-1.0F / steepness) * gradient;
-      speeds(x, y) = advance(change, x, y, limits[static_cast<std::size_t>(parts.label(x, y))]);
+      const float limitPx = change.thicknesses[static_cast<std::size_t>(parts.label(x, y))];
+      speeds(x, y) = advance(change, x, y, limitPx);
     }
   });
 
   // What the parts do as a whole is known everywhere; only the rest has to be spread inside
+  Image<Vec2> whole;
+  if (model == MotionModel::kRigidParts) {
+    whole = rigidMotion(parts, border, normals, speeds, origin);
+  }
+  const auto wholeAt = [&](int x, int y) { return whole.empty() ? Vec2{} : whole(x, y); };
   MotionField motion;
-  Image<Vec2> whole = model == MotionModel::kRigidParts
-                          ? rigidMotion(parts, border, normals, speeds)
-                          : Image<Vec2>(mask.size());
-  motion.flow = Image<Vec2>(mask.size());
+  motion.flow = std::move(normals);
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {
       if (border(x, y) == 0) continue;
-      const Vec2 normal = normals(x, y);
-      motion.flow(x, y) = (speeds(x, y) - dot(whole(x, y), normal)) * normal;
+      const Vec2 normal = motion.flow(x, y);
+      motion.flow(x, y) = (speeds(x, y) - dot(wholeAt(x, y), normal)) * normal;
     }
   });
-  motion.report = diffuse(mask, border, motion.flow);
+  motion.report = diffuse(mask, border, motion.flow, origin);
   forEachRow(mask.height(), [&](int y) {
-    for (int x = 0; x < mask.width(); ++x) motion.flow(x, y) += whole(x, y);
+    for (int x = 0; x < mask.width(); ++x) motion.flow(x, y) += wholeAt(x, y);
   });
   return motion;
 }

@@ -20,9 +20,9 @@ bool hasPartlyCoveredPixels(const Image<float>& coverage) {
 
 }  // namespace
 
-Image<float> PackedShape::edgeDistance() const {
-  const Mask here = mask();
-  return soft_ ? outlineDistance(here, outline_) : continuousDistance(signedDistance(here));
+Image<float> PackedShape::edgeDistance(const Box& box) const {
+  if (soft_) return cropped(outlineDistance(mask(), outline_), box);
+  return continuousDistance(signedDistance(mask_.unpack(box)));
 }
 
 void PackedShape::addTo(GuideFrame& guides) const {

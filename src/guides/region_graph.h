@@ -6,10 +6,10 @@
 
 namespace fluidymation {
 
-/// One level of the multigrid hierarchy: unknowns and how they are linked. On the finest level an
-/// unknown is an interior pixel; on level l it is a connected set of interior pixels within one
-/// block of 2^l x 2^l. A block crossed by two parts that do not touch in it holds two unknowns, so
-/// that no level joins what is separate.
+/// One of the coarser levels of the multigrid hierarchy: unknowns and how they are linked. On the
+/// finest level, `PixelLevel`, an unknown is an interior pixel; on level l it is a connected set of
+/// interior pixels within one block of 2^l x 2^l. A block crossed by two parts that do not touch in
+/// it holds two unknowns, so that no level joins what is separate.
 ///
 /// Unknowns of even blocks (x + y even, "red") come before those of odd ones ("black"). Links lead
 /// only to 4-neighbouring blocks, hence from red to black or back on every level: Gauss-Seidel may
@@ -26,17 +26,37 @@ struct GraphLevel {
   std::vector<float> givenPairs;  ///< pairs (pixel of this unknown, border pixel)
   std::vector<float> pixelCount;  ///< pixels in this unknown
   std::vector<int> parent;        ///< unknown of the next coarser level; empty on the coarsest
-  std::vector<int> firstChild;    ///< as firstLink; empty on the finest level
+  std::vector<int> firstChild;    ///< as firstLink
   std::vector<int> child;         ///< unknowns of the next finer level
 
   [[nodiscard]] int count() const { return static_cast<int>(diagonal.size()); }
 };
 
-/// Finest level of `region` without its border pixels, and without parts that no border pixel
-/// touches.
-/// @param unknownAt  out: number of the unknown at each pixel, -1 where there is none.
-[[nodiscard]] GraphLevel finestGraph(const Mask& region, const Mask& isBorder,
-                                     Image<int>& unknownAt);
+/// Fills in `firstChild` and `child`: the members of each coarse unknown, in order.
+void listChildren(const std::vector<int>& parent, GraphLevel& coarse);
+
+/// Lists the links of a coarser level, one unknown after the other, each unknown's in the order in
+/// which they turn up.
+class LinkCollector {
+ public:
+  /// @param coarse  its `blockX` tells how many unknowns there will be.
+  explicit LinkCollector(GraphLevel& coarse);
+
+  /// `pairs` more pairs of neighbouring pixels between the current unknown and `to`; nothing where
+  /// these are the same.
+  void add(int to, float pairs);
+
+  /// All links of the current unknown are known.
+  void endUnknown();
+
+ private:
+  GraphLevel& coarse_;
+  std::vector<int> linkOf_;  ///< the link of the current unknown that leads to this one
+  int current_ = 0;
+};
+
+/// Fills in `linkWeight` and `diagonal`. @param blockSide  of the level's blocks, px.
+void weighLinks(GraphLevel& coarse, int blockSide);
 
 /// The next coarser level of `fine`, whose `parent` is filled in. `blockSide` is the side of the
 /// coarser blocks in pixels.

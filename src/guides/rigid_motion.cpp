@@ -125,7 +125,7 @@ struct Part {
 }  // namespace
 
 Image<Vec2> rigidMotion(const Components& parts, const Mask& border, const Image<Vec2>& normals,
-                        const Image<float>& speeds) {
+                        const Image<float>& speeds, Pixel origin) {
   std::vector<Part> fits(static_cast<std::size_t>(parts.count));
   // One after the other, in row order: sums of doubles depend on their order.
   const auto forEachNormal = [&](const auto& body) {
@@ -133,7 +133,7 @@ Image<Vec2> rigidMotion(const Components& parts, const Mask& border, const Image
       for (int x = 0; x < border.width(); ++x) {
         const Vec2 n = normals(x, y);
         if (border(x, y) == 0 || (n.x == 0.0F && n.y == 0.0F)) continue;
-        body(fits[static_cast<std::size_t>(parts.label(x, y))], x, y, n,
+        body(fits[static_cast<std::size_t>(parts.label(x, y))], origin.x + x, origin.y + y, n,
              static_cast<double>(speeds(x, y)));
       }
     }
@@ -181,7 +181,8 @@ Image<Vec2> rigidMotion(const Components& parts, const Mask& border, const Image
   forEachRow(border.height(), [&](int y) {
     for (int x = 0; x < border.width(); ++x) {
       const int label = parts.label(x, y);
-      if (label >= 0) motion(x, y) = fits[static_cast<std::size_t>(label)].at(x, y);
+      if (label < 0) continue;
+      motion(x, y) = fits[static_cast<std::size_t>(label)].at(origin.x + x, origin.y + y);
     }
   });
   return motion;

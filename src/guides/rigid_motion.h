@@ -16,8 +16,12 @@ namespace fluidymation {
 /// @param border   pixels that count.
 /// @param normals  unit normals at border pixels; zero where there is none.
 /// @param speeds   movement along the normal at border pixels, px per frame.
+/// @param origin  where the first pixel lies in the image that these are part of: sums of places
+/// are
+///   rounded as there.
 /// @return  the believed movement of every pixel of the parts, px per frame; zero outside.
 [[nodiscard]] Image<Vec2> rigidMotion(const Components& parts, const Mask& border,
-                                      const Image<Vec2>& normals, const Image<float>& speeds);
+                                      const Image<Vec2>& normals, const Image<float>& speeds,
+                                      Pixel origin = {});
 
 }  // namespace fluidymation

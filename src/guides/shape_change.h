@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <functional>
+#include <vector>
 
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/motion.h"
@@ -11,32 +12,38 @@ namespace fluidymation {
 
 /// What the shapes of a run of frames, all of which have an edge, say about their movement. Asked
 /// for in the order of the frames; only the distance fields that the temporal kernel reaches exist
-/// at a time. A distance is asked for twice: for its field, and for its depth when its turn comes.
+/// at a time.
 class ShapeChanges {
  public:
-  /// `continuousDistance` or `outlineDistance`; frames count from the beginning of the run.
-  using DistanceOf = std::function<Image<float>(int frame)>;
+  struct Shape {
+    Mask mask;
+    Image<float> distance;  ///< `continuousDistance` or `outlineDistance`
+  };
+  /// Asked for once, in order; frames count from the beginning of the run.
+  using ShapeOf = std::function<Shape(int frame)>;
 
   /// @param frameCount  of the run, >= 2.
-  ShapeChanges(int frameCount, float sigmaFrames, DistanceOf distanceOf);
+  ShapeChanges(int frameCount, float sigmaFrames, ShapeOf shapeOf);
 
   /// The change that leads to `frame`; the first frame moves as it does towards the second. Valid
   /// until the next call.
   [[nodiscard]] ShapeChange at(int frame);
 
  private:
-  [[nodiscard]] const Image<float>& field(int frame) const;
-  /// Makes the fields of frames first..end-1, and forgets those before.
+  struct MeasuredShape {
+    std::vector<float> thicknesses;
+    Image<float> field;
+  };
+
+  [[nodiscard]] const MeasuredShape& shape(int frame) const;
+  /// Measures the frames first..end-1, and forgets those before.
   void provide(int first, int end);
-  [[nodiscard]] Image<float> average(const TemporalWeights& window) const;
 
   int frameCount_;
   float sigmaFrames_;
-  DistanceOf distanceOf_;
-  int firstField_ = 0;
-  std::deque<Image<float>> fields_;  ///< of frames firstField_, firstField_ + 1, ...
-  Image<float> depth_;
-  Image<float> smooth_;
+  ShapeOf shapeOf_;
+  int firstShape_ = 0;
+  std::deque<MeasuredShape> shapes_;  ///< of frames firstShape_, firstShape_ + 1, ...
 };
 
 }  // namespace fluidymation

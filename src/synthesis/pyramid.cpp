@@ -20,6 +20,26 @@ Vec2 levelDirection(Vec2 flow, Vec2 meanDirection, Vec2 first) {
   return agreement > kCancelledLength ? (1.0F / agreement) * meanDirection : first;
 }
 
+/// Means of the blocks of 2x2, as far as the image reaches.
+Image<float> blockMeans(const Image<float>& fine) {
+  Image<float> coarse(halvedSize(fine.size()));
+  const int wholeBlocks = fine.width() / 2;
+  forEachRow(coarse.height(), [&](int y) {
+    const bool hasLower = 2 * y + 1 < fine.height();
+    const float* upper = fine.row(2 * y);
+    const float* lower = hasLower ? fine.row(2 * y + 1) : nullptr;
+    float* out = coarse.row(y);
+    for (int x = 0; x < wholeBlocks; ++x) {
+      const float sum = upper[2 * x] + upper[2 * x + 1];
+      out[x] = hasLower ? (sum + lower[2 * x] + lower[2 * x + 1]) / 4.0F : sum / 2.0F;
+    }
+    if (wholeBlocks == coarse.width()) return;
+    const float last = upper[2 * wholeBlocks];
+    out[wholeBlocks] = hasLower ? (last + lower[2 * wholeBlocks]) / 2.0F : last;
+  });
+  return coarse;
+}
+
 Lab weighted(const std::array<Lab, 4>& c) {
   constexpr float kOuter = 1.0F / 8.0F;
   constexpr float kInner = 3.0F / 8.0F;
@@ -56,10 +76,13 @@ GuideLevel finestLevel(const GuideFrame& frame) {
     level.extForward = frame.age.clone();
     return level;
   }
-  std::transform(frame.accForward.begin(), frame.accForward.end(), level.extForward.begin(),
-                 [](Vec2 acc) { return length(acc); });
-  std::transform(frame.accBackward.begin(), frame.accBackward.end(), level.extBackward.begin(),
-                 [](Vec2 acc) { return length(acc); });
+  forEachRow(frame.mask.height(), [&](int y) {
+    for (int x = 0; x < frame.mask.width(); ++x) {
+      if (frame.mask(x, y) == 0) continue;  // nothing accumulates outside
+      level.extForward(x, y) = length(frame.accForward(x, y));
+      level.extBackward(x, y) = length(frame.accBackward(x, y));
+    }
+  });
   return level;
 }
 
@@ -67,18 +90,19 @@ GuideLevel halve(const GuideLevel& fine) {
   const Size size = halvedSize(fine.mask.size());
   const bool shaped = !fine.shape.empty();
   GuideLevel coarse{Mask(size),
-                    Image<float>(size),
+                    blockMeans(fine.distance),
                     Image<float>(size),
                     Image<float>(size),
                     Image<Vec2>(size),
                     Image<Vec2>(size),
-                    Image<float>(shaped ? size : Size{})};
+                    shaped ? blockMeans(fine.shape) : Image<float>()};
   forEachRow(size.height, [&](int y) {
+    const std::uint8_t* upper = fine.mask.row(2 * y);
+    const std::uint8_t* lower = fine.mask.row(std::min(2 * y + 1, fine.mask.height() - 1));
     for (int x = 0; x < size.width; ++x) {
-      int covered = 0;
+      const int right = std::min(2 * x + 1, fine.mask.width() - 1);
+      if ((upper[2 * x] | upper[right] | lower[2 * x] | lower[right]) == 0) continue;
       int inside = 0;
-      float distance = 0.0F;
-      float shape = 0.0F;
       float extForward = 0.0F;
       float extBackward = 0.0F;
       Vec2 flow;
@@ -87,20 +111,13 @@ GuideLevel halve(const GuideLevel& fine) {
       for (int i = 0; i < 4; ++i) {
         const int fx = 2 * x + i % 2;
         const int fy = 2 * y + i / 2;
-        if (!fine.mask.contains(fx, fy)) continue;
-        ++covered;
-        distance += fine.distance(fx, fy);
-        if (shaped) shape += fine.shape(fx, fy);
-        if (fine.mask(fx, fy) == 0) continue;
+        if (!fine.mask.contains(fx, fy) || fine.mask(fx, fy) == 0) continue;
         if (inside++ == 0) firstDirection = fine.direction(fx, fy);
         extForward += fine.extForward(fx, fy);
         extBackward += fine.extBackward(fx, fy);
         flow += fine.flow(fx, fy);
         direction += fine.direction(fx, fy);
       }
-      coarse.distance(x, y) = distance / static_cast<float>(covered);
-      if (shaped) coarse.shape(x, y) = shape / static_cast<float>(covered);
-      if (inside == 0) continue;
       const float share = 1.0F / static_cast<float>(inside);
       coarse.mask(x, y) = 1;
       coarse.extForward(x, y) = share * extForward;

@@ -16,6 +16,12 @@ struct Size {
   friend bool operator!=(const Size& a, const Size& b) { return !(a == b); }
 };
 
+/// A place on the pixel grid: x right, y down.
+struct Pixel {
+  int x = 0;
+  int y = 0;
+};
+
 /// A point or a movement in the image plane: pixels, x right, y down.
 struct Vec2 {
   float x = 0.0F;

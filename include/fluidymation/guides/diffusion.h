@@ -39,6 +39,10 @@ struct SolveReport {
 /// @param region    nonzero where u lives.
 /// @param isBorder  nonzero where u is given; a subset of `region`.
 /// @param field     in: values at the border pixels; out: the solution, zero outside the region.
-SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field);
+/// @param origin    even (asserted): where the first pixel lies in the image that these are part
+/// of.
+///   Part or whole, the same result.
+SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field,
+                    Pixel origin = {});
 
 }  // namespace fluidymation

@@ -16,10 +16,10 @@ struct DirectionField {
 /// Unit direction of movement at every inside pixel. Where the flow is slower than
 /// `kStillPxPerFrame`: the pixel's last direction (`previous`, where the pixel was inside then),
 /// else the harmonic extension of the outward border normals, else (1, 0).
-/// @param previous  directions of the frame before, or an empty image.
+/// @param previous  directions of the frame before, (0, 0) outside its mask; or an empty image. Its
+///   memory becomes the result's.
 /// @param distance  signed distance of `mask`.
 [[nodiscard]] DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
-                                           const Image<float>& distance,
-                                           const Image<Vec2>& previous);
+                                           const Image<float>& distance, Image<Vec2> previous);
 
 }  // namespace fluidymation

@@ -12,4 +12,9 @@ namespace fluidymation {
 ///   difference or an average. Meijster et al. 2000: time linear in the pixels.
 [[nodiscard]] Image<float> signedDistance(const Mask& mask);
 
+/// Euclidean distance to the nearest pixel of `mask`, px: exact up to `reachPx`, some number above
+/// it elsewhere; 0 in the mask. Several times as fast as the above where the reach is short.
+/// @param reachPx  >= 0.
+[[nodiscard]] Image<float> distanceWithin(const Mask& mask, int reachPx);
+
 }  // namespace fluidymation

@@ -4,6 +4,7 @@
 
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/material_age.h"
+#include "fluidymation/guides/packed_mask.h"
 
 namespace fluidymation {
 
@@ -19,16 +20,32 @@ inline constexpr float kSettledAgeFrames = 8.0F;
 /// Its mean movement as a share of that of newly covered pixels, at most.
 inline constexpr double kLargestRestlessness = 0.1;
 
-/// Watches an animation, one frame after the other, for whether it is lines being drawn: material
-/// that only ever is added, and then lies still.
+/// Watches the masks of an animation, one frame after the other, for the first half of what lines
+/// being drawn are: material that only ever is added.
+class Growth {
+ public:
+  void add(const PackedMask& mask);
+
+  /// Whether next to nothing is uncovered and most of the last mask has been added. False without a
+  /// second frame.
+  [[nodiscard]] bool isDrawing() const;
+
+ private:
+  PackedMask mask_;  ///< of the last frame
+  bool first_ = true;
+  std::size_t covered_ = 0;    ///< pixels, over all frames but the first
+  std::size_t uncovered_ = 0;  ///< likewise
+};
+
+/// Watches an animation, one frame after the other, for the second half, which takes more time:
+/// what has been added lies still.
 class DrawnLines {
  public:
   /// @param mask  of the next frame.
   /// @param flow  of the same, px per frame; zero outside.
   void add(const Mask& mask, const Image<Vec2>& flow);
 
-  /// What the frames so far are. False without a frame, and where nothing has lain long enough to
-  /// tell whether it lies still.
+  /// False where nothing has lain long enough to tell.
   [[nodiscard]] bool found() const;
 
  private:
@@ -41,11 +58,8 @@ class DrawnLines {
 
   Mask mask_;  ///< of the last frame
   TargetAges ages_;
-  std::size_t covered_ = 0;    ///< pixels, over all frames but the first
-  std::size_t uncovered_ = 0;  ///< likewise
-  std::size_t area_ = 0;       ///< of the last frame
-  Movement fresh_;             ///< of newly covered pixels
-  Movement settled_;           ///< of those of kSettledAgeFrames and more, holds left out
+  Movement fresh_;    ///< of newly covered pixels
+  Movement settled_;  ///< of those of kSettledAgeFrames and more, holds left out
 };
 
 }  // namespace fluidymation

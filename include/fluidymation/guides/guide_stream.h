@@ -37,7 +37,8 @@ class GuideStream {
   /// Whether any mask still has material after smoothing. Asked before the first `next()`.
   [[nodiscard]] bool anyInside() const;
 
-  /// Whether the sequence is lines being drawn, see `DrawnLines`. Asked before the first `next()`.
+  /// Whether the sequence is lines being drawn, see `Growth` and `DrawnLines`. Asked before the
+  /// first `next()`.
   [[nodiscard]] bool drawsLines() const;
 
   /// Guides of the next frame; must not be called more than `frameCount()` times.
@@ -52,7 +53,7 @@ class GuideStream {
   };
 
   /// Fills in all flows, derived from the masks or as given.
-  void deriveFlow(const std::vector<bool>& hasEdge, const GuideOptions& options);
+  void deriveFlow(const std::vector<bool>& edge, const GuideOptions& options);
   void takeFlow(const FlowReader& readFlow);
 
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
@@ -65,8 +66,8 @@ class GuideStream {
   std::optional<float> shapeBlurRadiusPx_;
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
-  Image<Vec2> accForward_;  ///< of the frame given last
-  Image<Vec2> direction_;   ///< likewise
+  std::vector<Vec2> accForward_;  ///< of the mask pixels of the frame given last
+  std::vector<Vec2> direction_;   ///< likewise
 };
 
 }  // namespace fluidymation

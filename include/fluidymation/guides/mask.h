@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "fluidymation/core/image.h"
 #include "fluidymation/options.h"
 
@@ -21,18 +18,5 @@ namespace fluidymation {
 
 /// Whether the mask has both sides: a shape without an edge within the image has no distance to it.
 [[nodiscard]] bool hasEdge(const Mask& mask);
-
-/// A mask at one bit a pixel, for the frames of a long sequence that wait for their turn.
-class PackedMask {
- public:
-  PackedMask() = default;
-  explicit PackedMask(const Mask& mask);
-  [[nodiscard]] Mask unpack() const;
-  [[nodiscard]] Size size() const { return size_; }
-
- private:
-  Size size_;
-  std::vector<std::uint64_t> bits_;
-};
 
 }  // namespace fluidymation

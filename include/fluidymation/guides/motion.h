@@ -32,11 +32,22 @@ struct MotionField {
   SolveReport report;
 };
 
+/// Largest depth of each connected part (8-neighbours) in the row order of their first pixels, at
+/// least 0: how far it may move in one frame.
+/// @param depth  `continuousDistance` of the mask, which no blur lowers.
+[[nodiscard]] std::vector<float> partThicknesses(const Mask& mask, const Image<float>& depth);
+
+/// A share of a field in a mean.
+struct WeightedField {
+  const Image<float>* field;
+  float weight;
+};
+
 /// What the shapes of neighbouring frames say about one frame's movement. All images have one size;
 /// fields are `motionDistance`.
 struct ShapeChange {
-  const Image<float>& depth;   ///< `continuousDistance` of the frame itself, which no blur lowers
-  const Image<float>& smooth;  ///< of the frame itself, smoothed over time: its gradient is used
+  std::vector<float> thicknesses;     ///< `partThicknesses` of the frame itself
+  std::vector<WeightedField> smooth;  ///< their sum is the frame's own field, smoothed over time
   std::vector<const Image<float>*> fields;  ///< of consecutive frames, earliest first
   std::vector<float> stepWeights;           ///< of the steps between them; one fewer
 };
@@ -54,9 +65,10 @@ struct ShapeChange {
 /// once moves by its thickness in every frame of the window.
 /// Where the gradient vanishes (parts one or two pixels wide) the flow is zero.
 /// @param mask  the frame on which the flow is defined.
+/// @param origin  even: where the first pixel lies in the image that all of these are part of.
 /// @param model  whether parts are also fitted a movement as a whole, so that only what their
 ///   border moves beside it is spread inside.
 [[nodiscard]] MotionField motionField(const Mask& mask, const ShapeChange& change,
-                                      MotionModel model = MotionModel::kNormals);
+                                      MotionModel model = MotionModel::kNormals, Pixel origin = {});
 
 }  // namespace fluidymation

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/guides/input_mask.h"
 #include "fluidymation/guides/mask.h"
 #include "fluidymation/guides/outline.h"
+#include "fluidymation/guides/packed_mask.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
@@ -22,11 +24,13 @@ class PackedShape {
       : mask_(shape.mask), soft_(true), outline_(std::move(shape.outline)) {}
 
   [[nodiscard]] Size size() const { return mask_.size(); }
+  [[nodiscard]] const PackedMask& packedMask() const { return mask_; }
   [[nodiscard]] Mask mask() const { return mask_.unpack(); }
 
-  /// `continuousDistance` of a hard shape, `outlineDistance` of a soft one. The shape must have an
-  /// edge: it is neither empty nor full.
-  [[nodiscard]] Image<float> edgeDistance() const;
+  /// `continuousDistance` of a hard shape, `outlineDistance` of a soft one, within a box that holds
+  /// the shape and its neighbouring pixels. The shape must have an edge: it is neither empty nor
+  /// full.
+  [[nodiscard]] Image<float> edgeDistance(const Box& box) const;
 
   /// Fills in mask, distance and coverage.
   void addTo(GuideFrame& guides) const;

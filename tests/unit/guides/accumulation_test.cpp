@@ -1,6 +1,10 @@
 #include "fluidymation/guides/accumulation.h"
 
-#include "support/comparison.h"
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "fluidymation/guides/packed_mask.h"
 #include "support/shapes.h"
 
 namespace fluidymation {
@@ -8,29 +12,28 @@ namespace {
 
 const Size kSize{3, 1};
 
+void expectEqual(const std::vector<Vec2>& expected, const std::vector<Vec2>& actual) {
+  ASSERT_EQ(expected.size(), actual.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(expected[i].x, actual[i].x) << i;
+    EXPECT_EQ(expected[i].y, actual[i].y) << i;
+  }
+}
+
 TEST(Accumulation, ForwardAddsInsideAndRestartsOutside) {
-  const Mask mask = test::maskOf(kSize, [](int x, int) { return x < 2; });
-  Image<Vec2> expected(kSize, Vec2{5.0F, 1.0F});
-  expected(2, 0) = Vec2{};
-  EXPECT_TRUE(test::nearEverywhere(
-      expected,
-      accumulateForward(Image<Vec2>(kSize, {2.0F, -1.0F}), Image<Vec2>(kSize, {3.0F, 2.0F}), mask),
-      0.0F));
+  const PackedMask previousMask(test::maskOf(kSize, [](int x, int) { return x != 1; }));
+  const PackedMask mask(test::maskOf(kSize, [](int x, int) { return x > 0; }));
+  expectEqual({{3.0F, 2.0F}, {9.0F, -1.0F}},
+              accumulateForward(previousMask, {{2.0F, -1.0F}, {5.0F, -5.0F}}, mask,
+                                {{3.0F, 2.0F}, {4.0F, 4.0F}}));
 }
 
 TEST(Accumulation, BackwardTakesTheNextFlowOrTheLastOneOfWhatLeaves) {
-  const Mask mask = test::maskOf(kSize, [](int x, int) { return x < 2; });
-  const Mask nextMask = test::maskOf(kSize, [](int x, int) { return x != 1; });
-  Image<Vec2> next(kSize, Vec2{10.0F, 0.0F});
-  next(1, 0) = Vec2{};  // outside the next mask nothing has accumulated
-  Image<Vec2> expected(kSize);
-  expected(0, 0) = {13.0F, 2.0F};
-  expected(1, 0) = {7.0F, 7.0F};
-  EXPECT_TRUE(
-      test::nearEverywhere(expected,
-                           accumulateBackward(next, Image<Vec2>(kSize, {3.0F, 2.0F}), nextMask,
-                                              Image<Vec2>(kSize, {7.0F, 7.0F}), mask),
-                           0.0F));
+  const PackedMask mask(test::maskOf(kSize, [](int x, int) { return x < 2; }));
+  const PackedMask nextMask(test::maskOf(kSize, [](int x, int) { return x != 1; }));
+  expectEqual({{13.0F, 2.0F}, {7.0F, 7.0F}},
+              accumulateBackward(nextMask, {{10.0F, 0.0F}, {20.0F, 0.0F}},
+                                 {{3.0F, 2.0F}, {1.0F, 1.0F}}, mask, {{7.0F, 7.0F}, {7.0F, 7.0F}}));
 }
 
 }  // namespace

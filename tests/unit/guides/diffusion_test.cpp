@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/random.h"
 #include "fluidymation/guides/motion.h"
 #include "support/comparison.h"
@@ -315,6 +316,35 @@ TEST(SolveReports, OfTwoTheOneThatDidNotSettleIsTold) {
   EXPECT_FALSE(worse(settled, unsettled).converged);
   EXPECT_EQ(worse(quick, settled).cycles, 40);
   EXPECT_EQ(worse(settled, quick).cycles, 40);
+}
+
+TEST(Diffusion, APartOfAnImageGivesWhatTheImageGives) {
+  const Size size{150, 130};
+  const Box box{38, 26, 142, 119};
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Mask blobs = test::randomBlobs(box.size(), seed);
+    const Mask region = test::maskOf(size, [&](int x, int y) {
+      const bool within = blobs.contains(x - box.beginX, y - box.beginY);
+      return within && blobs(x - box.beginX, y - box.beginY) != 0;
+    });
+    const Mask border = borderPixels(blobs);
+    const Mask wholeBorder = test::maskOf(size, [&](int x, int y) {
+      const bool within = border.contains(x - box.beginX, y - box.beginY);
+      return within && border(x - box.beginX, y - box.beginY) != 0;
+    });
+    Image<Vec2> whole(size);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        whole(x, y) = {static_cast<float>(x % 7), static_cast<float>(y * x % 5)};
+      }
+    }
+    Image<Vec2> part = cropped(whole, box);
+    const SolveReport wholeReport = diffuse(region, wholeBorder, whole);
+    const SolveReport report = diffuse(blobs, border, part, box.begin());
+    EXPECT_EQ(report.cycles, wholeReport.cycles);
+    EXPECT_EQ(report.lastChange, wholeReport.lastChange);
+    EXPECT_TRUE(test::nearEverywhere(cropped(whole, box), part, 0.0F));
+  }
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
         }
       }
       const Image<Vec2> direction =
-          flowDirection(mask, flow, signedDistance(mask), previous).direction;
+          flowDirection(mask, flow, signedDistance(mask), previous.clone()).direction;
       for (int y = 0; y < mask.height(); ++y) {
         for (int x = 0; x < mask.width(); ++x) {
           ASSERT_NEAR(length(direction(x, y)), mask(x, y) != 0 ? 1.0F : 0.0F, 1e-5F);

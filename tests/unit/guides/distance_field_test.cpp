@@ -1,6 +1,8 @@
 #include "fluidymation/guides/distance_field.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "support/comparison.h"
 #include "support/shapes.h"
@@ -54,6 +56,44 @@ TEST(DistanceField, AgreesWithBruteForceWhenASinglePixelDiffers) {
   const Mask hole = test::maskOf(size, [](int x, int y) { return x != 5 || y != 28; });
   EXPECT_TRUE(test::nearEverywhere(bruteForce(dot), signedDistance(dot), 1e-5F));
   EXPECT_TRUE(test::nearEverywhere(bruteForce(hole), signedDistance(hole), 1e-5F));
+}
+
+TEST(DistanceField, IsExactFarAboveAndBelowAShape) {
+  const Size size{70, 260};
+  const Mask blobs = test::randomBlobs({30, 20}, 5);
+  for (const int top : {0, 100, 240}) {
+    const Mask mask = test::maskOf(size, [&](int x, int y) {
+      return blobs.contains(x - 20, y - top) && blobs(x - 20, y - top) != 0;
+    });
+    EXPECT_TRUE(test::nearEverywhere(bruteForce(mask), signedDistance(mask), 1e-5F)) << top;
+  }
+}
+
+TEST(DistanceField, IsExactBeyondWhatAFloatCounts) {
+  const Mask mask = test::maskOf({6000, 4}, [](int x, int y) { return x == 3 && y == 1; });
+  const Image<float> distance = signedDistance(mask);
+  for (int x = 5; x < 6000; ++x) {
+    const double square = (x - 3.0) * (x - 3.0) + 4.0;
+    ASSERT_EQ(distance(x, 3), -static_cast<float>(std::sqrt(square))) << x;
+  }
+}
+
+TEST(DistanceWithin, IsTheDistanceAsFarAsItReaches) {
+  for (const int reachPx : {0, 1, 7, 20, 60}) {
+    for (const Mask& mask : {test::randomBlobs({70, 50}, 4), test::randomMask({70, 50}, 8, 1),
+                             Mask(Size{9, 5}, 1), Mask(Size{9, 5})}) {
+      const Image<float> exact = signedDistance(mask);
+      const Image<float> distance = distanceWithin(mask, reachPx);
+      for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
+        const float expected = std::max(-exact.data()[i], 0.0F);
+        if (countInside(mask) != 0 && expected <= static_cast<float>(reachPx)) {
+          ASSERT_EQ(distance.data()[i], expected);
+        } else {
+          ASSERT_GT(distance.data()[i], static_cast<float>(reachPx));
+        }
+      }
+    }
+  }
 }
 
 TEST(DistanceField, CommutesWithFlipsAndTransposition) {

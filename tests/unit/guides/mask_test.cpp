@@ -78,19 +78,5 @@ TEST(BlurredMask, IsAGaussianOfAThirdOfTheRadius) {
   EXPECT_NEAR(blurred(60, 2), 1.0F, 1e-6F);  // no border where the frame cuts
 }
 
-TEST(PackedMask, UnpacksWhatWasPacked) {
-  for (const Size size : {Size{1, 1}, Size{8, 8}, Size{63, 1}, Size{13, 5}, Size{65, 3}}) {
-    const Mask mask = test::randomMask(size, 21, 50);
-    const PackedMask packed(mask);
-    EXPECT_EQ(packed.size(), size);
-    EXPECT_TRUE(test::equalEverywhere(mask, packed.unpack()));
-  }
-}
-
-TEST(PackedMask, AnyNonzeroByteIsInside) {
-  EXPECT_TRUE(
-      test::equalEverywhere(Mask(Size{70, 2}, 1), PackedMask(Mask(Size{70, 2}, 255)).unpack()));
-}
-
 }  // namespace
 }  // namespace fluidymation

@@ -69,7 +69,8 @@ TEST(MotionField, IsZeroWhereTheGradientVanishes) {
   const Image<float> here = continuousDistance(signedDistance(line));
   Image<float> before = here.clone();
   for (float& d : before) d -= 0.25F;
-  const MotionField motion = motionField(line, {here, here, {&before, &here}, {1.0F}});
+  const MotionField motion =
+      motionField(line, {partThicknesses(line, here), {{&here, 1.0F}}, {&before, &here}, {1.0F}});
   EXPECT_TRUE(test::nearEverywhere(Image<Vec2>(line.size()), motion.flow, 0.0F));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "fluidymation/guides/distance_field.h"
@@ -20,15 +21,15 @@ Mask growingDisc(int frame) {
   return test::disc(kSize, {19.3F, 16.8F}, 5.0F + static_cast<float>(frame));
 }
 
-Image<float> distanceOf(int frame) {
-  return continuousDistance(signedDistance(growingDisc(frame)));
+ShapeChanges::Shape shapeOf(int frame) {
+  return {growingDisc(frame), continuousDistance(signedDistance(growingDisc(frame)))};
 }
 
 Image<float> fieldOf(int frame) { return motionDistance(signedDistance(growingDisc(frame))); }
 
 TEST(ShapeChanges, AreTheSmoothedFieldAndTheStepsOfTheTemporalKernel) {
   for (const float sigma : {0.0F, 0.5F, 2.0F}) {
-    ShapeChanges changes(kFrames, sigma, distanceOf);
+    ShapeChanges changes(kFrames, sigma, shapeOf);
     for (int frame = 0; frame < kFrames; ++frame) {
       SCOPED_TRACE(frame);
       const ShapeChange change = changes.at(frame);
@@ -41,7 +42,13 @@ TEST(ShapeChanges, AreTheSmoothedFieldAndTheStepsOfTheTemporalKernel) {
           smooth.data()[p] += window.weights[i] * field.data()[p];
         }
       }
-      EXPECT_TRUE(test::nearEverywhere(smooth, change.smooth, 1e-4F));
+      Image<float> ownSmooth(kSize);
+      for (const WeightedField& share : change.smooth) {
+        for (std::size_t p = 0; p < ownSmooth.pixelCount(); ++p) {
+          ownSmooth.data()[p] += share.weight * share.field->data()[p];
+        }
+      }
+      EXPECT_TRUE(test::nearEverywhere(smooth, ownSmooth, 1e-4F));
 
       const TemporalWeights steps = stepWeights(frame == 0 ? 1 : frame, kFrames, sigma);
       EXPECT_EQ(change.stepWeights, steps.weights);
@@ -55,22 +62,26 @@ TEST(ShapeChanges, AreTheSmoothedFieldAndTheStepsOfTheTemporalKernel) {
 }
 
 TEST(ShapeChanges, MeasureTheDepthBeforeAnyBlur) {
-  ShapeChanges changes(kFrames, 2.0F, distanceOf);
+  ShapeChanges changes(kFrames, 2.0F, shapeOf);
   for (int frame = 0; frame < kFrames; ++frame) {
-    EXPECT_TRUE(test::nearEverywhere(distanceOf(frame), changes.at(frame).depth, 0.0F)) << frame;
+    const Image<float> distance = shapeOf(frame).distance;
+    const std::vector<float> deepest = {*std::max_element(distance.begin(), distance.end())};
+    EXPECT_EQ(changes.at(frame).thicknesses, deepest) << frame;
   }
 }
 
-TEST(ShapeChanges, AskForNoDistanceBeforeTheKernelReachesIt) {
-  int last = 0;
+TEST(ShapeChanges, AskForNoShapeBeforeTheKernelReachesItAndForEachOnce) {
+  std::vector<int> asked;
   ShapeChanges changes(kFrames, 1.0F, [&](int frame) {
-    last = std::max(last, frame);
-    return distanceOf(frame);
+    asked.push_back(frame);
+    return shapeOf(frame);
   });
   (void)changes.at(0);
-  EXPECT_LT(last, kFrames - 1);
+  EXPECT_LT(asked.back(), kFrames - 1);
   for (int frame = 1; frame < kFrames; ++frame) (void)changes.at(frame);
-  EXPECT_EQ(last, kFrames - 1);
+  std::vector<int> all(kFrames);
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(asked, all);
 }
 
 }  // namespace
