@@ -215,7 +215,7 @@ void stylize(const Options& given, const Observer& observer) {
     const int number = inputs.target.files.numbers[i];
     tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);
-    writePng(outPaths[i], toOutput(picture, frame));
+    writePng(outPaths[i], toOutput(picture, frame), options.compressionLevel);
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "target"), number, frame);
       dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
