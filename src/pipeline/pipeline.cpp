@@ -142,14 +142,15 @@ void addGuides(const Options& options, const Inputs& inputs, bool withAges, Guid
 
 /// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
 /// does not.
-Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& frame) {
+Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& frame,
+                      const SrgbByteEncoder& encoder) {
   Image<Rgba8> output(picture.size());
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
       const std::uint8_t alpha = toByte(frame.coverageAt(x, y));
       if (alpha == 0) continue;
-      const Rgb color = toRgb(picture(x, y));
-      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), alpha};
+      const Rgb8 color = encoder(picture(x, y));
+      output(x, y) = {color.r, color.g, color.b, alpha};
     }
   });
   return output;
@@ -201,6 +202,7 @@ void stylize(const Options& given, const Observer& observer) {
   addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
   Synthesizer synthesizer(exemplar, options.synthesis);
   TargetAges ages;
+  const SrgbByteEncoder encoder;
 
   if (observer.paintingBegins) observer.paintingBegins(frameCount);
   for (int j = 0; j < frameCount; ++j) {
@@ -215,7 +217,7 @@ void stylize(const Options& given, const Observer& observer) {
     const int number = inputs.target.files.numbers[i];
     tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
     const Image<Lab> picture = synthesizer.paint(frame);
-    writePng(outPaths[i], toOutput(picture, frame), options.compressionLevel);
+    writePng(outPaths[i], toOutput(picture, frame, encoder), options.compressionLevel);
     if (options.dumpGuidesDirectory) {
       dumpGuides(dumpFolder(options, "target"), number, frame);
       dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
