@@ -1,5 +1,6 @@
 #include "pipeline/frame_line.h"
 
+#include <algorithm>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -90,7 +91,7 @@ class WritingBehind {
 
 ThreadShares shareThreads(int threads) {
   if (threads == 1) return {};
-  return {threads, 1, 1};
+  return {threads, std::max(2, threads / 2), 1};
 }
 
 void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,

@@ -260,7 +260,8 @@ TEST(ShareThreads, OneThreadHasNothingBesideIt) {
   EXPECT_EQ(shareThreads(1).beside(), 0);
   for (const int threads : {2, 3, 16, 1024}) {
     EXPECT_EQ(shareThreads(threads).paint, threads);
-    EXPECT_GE(shareThreads(threads).guide, 1);
+    EXPECT_GE(shareThreads(threads).guide, 2);
+    EXPECT_LE(shareThreads(threads).guide, threads);
     EXPECT_EQ(shareThreads(threads).write, 1);
   }
 }
