@@ -48,9 +48,9 @@ struct ThreadShares {
 /// search; they fill what it leaves of the processors where its threads wait for each other. Half
 /// of the threads for the guides' loops let these keep up with the search, and two at least: OpenMP
 /// of GCC spins for milliseconds wherever its threads wait, and takes the processors from what goes
-/// on beside, unless it has more threads than there are processors. Measured with 2 threads on 2
-/// processors: 0.28 to 0.30 s a frame and 0.51 to 0.55 s of both processors, where one thread for
-/// the guides gave 0.32 to 0.33 s and 0.62 to 0.65 s.
+/// on beside, unless it has more threads than there are processors. With 2 threads on
+/// 2 processors that took 0.59 to 0.64 s of both processors a frame, where one thread for the
+/// guides took 0.73 to 0.76 s (two runs each, short searches).
 [[nodiscard]] ThreadShares shareThreads(int threads);
 
 /// Takes frames 0 to `frameCount` - 1 through all stages. `paint` runs in the caller's thread. With
