@@ -45,6 +45,7 @@ inline constexpr Range kModulationBoundsPx{0, 1e5};
 inline constexpr Range kModulationShares{0, 10};  ///< of border width or target side
 inline constexpr Range kPatchmatchIterations{1, 1000};
 inline constexpr Range kOptIterations{0, 1000};
+inline constexpr Range kCompressionLevels{kLeastCompression, kMostCompression};
 inline constexpr Range kThreads{1, 1024};
 
 /// Iteration counts in a list, at least one: a pyramid has no more levels than this.

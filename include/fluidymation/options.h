@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fluidymation/io/compression_level.h"
+
 namespace fluidymation {
 
 /// One numbered image sequence: frame i is number start + i * speed (thesis §4.5).
@@ -179,7 +181,8 @@ struct Options {
   SynthesisOptions synthesis;
 
   std::optional<std::string> dumpGuidesDirectory;
-  int threads = 1;  ///< changes the clock only, never a byte
+  int compressionLevel = kDefaultCompression;  ///< of the painted frames: size and clock only
+  int threads = 1;                             ///< changes the clock only, never a byte
 };
 
 }  // namespace fluidymation

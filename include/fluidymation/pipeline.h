@@ -12,7 +12,7 @@ struct FrameReport {
   int index = 0;         ///< 0 for the first frame of the sequence
   int count = 0;         ///< frames of the sequence
   int frameNumber = 0;   ///< the user's own number
-  double seconds = 0.0;  ///< spent on this frame
+  double seconds = 0.0;  ///< since the frame before was written, or painting began
   std::string path;      ///< the file written
 };
 
@@ -20,6 +20,7 @@ struct FrameReport {
 /// `stylize`, and any may be empty.
 struct Observer {
   std::function<void(const std::string&)> note;  ///< one sentence for the user
+  /// A frame is written. With more than one thread the next one may be painted by then.
   std::function<void(const FrameReport&)> frameDone;
   /// Whether to stop. Asked between frames, where no file is half written.
   std::function<bool()> cancelled;

@@ -193,6 +193,10 @@ void addFiles(Table& table) {
       {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
       "not in the thesis",
       [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
+  table.integer("--compression-level", kFiles,
+                "of the painted frames; 0 is fastest, 9 smallest: all have the\nsame pixels", "",
+                ranges::kCompressionLevels, "not in the thesis",
+                [](CommandLine& c) -> int& { return c.options.compressionLevel; });
   table.add({"--dump-guides", kFiles, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",

@@ -1,7 +1,10 @@
 #include "fluidymation/core/color.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "fluidymation/core/parallel.h"
 
@@ -26,6 +29,65 @@ float labInverse(float f) {
   return cube > kLabEpsilon ? cube : (116.0F * f - 16.0F) / kLabKappa;
 }
 
+/// Linear channels, not clipped to the gamut.
+Rgb linearRgb(Lab color) {
+  const float fy = (color.l + 16.0F) / 116.0F;
+  const float x = kWhiteX * labInverse(fy + color.a / 500.0F);
+  const float y = kWhiteY * labInverse(fy);
+  const float z = kWhiteZ * labInverse(fy - color.b / 200.0F);
+  // The inverse of the matrix in `labOfLinear`.
+  return {3.2406255F * x - 1.5372080F * y - 0.4986286F * z,
+          -0.9689307F * x + 1.8757561F * y + 0.0415175F * z,
+          0.0557101F * x - 0.2040211F * y + 1.0569959F * z};
+}
+
+Lab labOfLinear(Rgb linear) {
+  const auto [r, g, b] = linear;
+  const float fx = labForward((0.4124F * r + 0.3576F * g + 0.1805F * b) / kWhiteX);
+  const float fy = labForward((0.2126F * r + 0.7152F * g + 0.0722F * b) / kWhiteY);
+  const float fz = labForward((0.0193F * r + 0.1192F * g + 0.9505F * b) / kWhiteZ);
+  return {116.0F * fy - 16.0F, 500.0F * (fx - fy), 200.0F * (fy - fz)};
+}
+
+/// `srgbDecode`, looked up for the 256 values that an 8-bit picture can hold.
+class SrgbDecoder {
+ public:
+  SrgbDecoder() {
+    for (std::size_t i = 0; i < encoded_.size(); ++i) {
+      encoded_[i] = static_cast<float>(i) / 255.0F;
+      linear_[i] = srgbDecode(encoded_[i]);
+    }
+  }
+
+  [[nodiscard]] float operator()(float encoded) const {
+    // NaN and what is out of range fail the comparison, wherever they are looked for.
+    const float level = std::clamp(encoded, 0.0F, 1.0F) * 255.0F + 0.5F;
+    const std::size_t nearest = level >= 0.0F ? static_cast<std::size_t>(level) : 0;
+    return encoded_[nearest] == encoded ? linear_[nearest] : srgbDecode(encoded);
+  }
+
+ private:
+  std::array<float, 256> encoded_{};
+  std::array<float, 256> linear_{};
+};
+
+std::uint32_t bitsOf(float value) {
+  static_assert(sizeof(float) == sizeof(std::uint32_t));
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+float floatOf(std::uint32_t bits) {
+  float value = 0.0F;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+// Intervals of linear values that share their exponent and the upper 7 bits of their mantissa: 128
+// an octave, and 67 bytes begin in the fullest octave, [0.5, 1]. None holds two beginnings.
+constexpr std::uint32_t kIntervalShift = 16;
+
 }  // namespace
 
 float srgbDecode(float encoded) {
@@ -37,38 +99,63 @@ float srgbEncode(float linear) {
 }
 
 Lab toLab(Rgb color) {
-  const float r = srgbDecode(color.r);
-  const float g = srgbDecode(color.g);
-  const float b = srgbDecode(color.b);
-  const float fx = labForward((0.4124F * r + 0.3576F * g + 0.1805F * b) / kWhiteX);
-  const float fy = labForward((0.2126F * r + 0.7152F * g + 0.0722F * b) / kWhiteY);
-  const float fz = labForward((0.0193F * r + 0.1192F * g + 0.9505F * b) / kWhiteZ);
-  return {116.0F * fy - 16.0F, 500.0F * (fx - fy), 200.0F * (fy - fz)};
+  return labOfLinear({srgbDecode(color.r), srgbDecode(color.g), srgbDecode(color.b)});
 }
 
 Rgb toRgb(Lab color) {
-  const float fy = (color.l + 16.0F) / 116.0F;
-  const float x = kWhiteX * labInverse(fy + color.a / 500.0F);
-  const float y = kWhiteY * labInverse(fy);
-  const float z = kWhiteZ * labInverse(fy - color.b / 200.0F);
   const auto channel = [](float linear) { return srgbEncode(std::clamp(linear, 0.0F, 1.0F)); };
-  // The inverse of the matrix above.
-  return {channel(3.2406255F * x - 1.5372080F * y - 0.4986286F * z),
-          channel(-0.9689307F * x + 1.8757561F * y + 0.0415175F * z),
-          channel(0.0557101F * x - 0.2040211F * y + 1.0569959F * z)};
+  const Rgb linear = linearRgb(color);
+  return {channel(linear.r), channel(linear.g), channel(linear.b)};
 }
 
 Image<Lab> toLab(const Image<Rgb>& image) {
+  const SrgbDecoder decoded;
   Image<Lab> lab(image.size());
   forEachRow(image.height(), [&](int y) {
-    std::transform(image.row(y), image.row(y) + image.width(), lab.row(y),
-                   [](Rgb color) { return toLab(color); });
+    std::transform(image.row(y), image.row(y) + image.width(), lab.row(y), [&](Rgb color) {
+      return labOfLinear({decoded(color.r), decoded(color.g), decoded(color.b)});
+    });
   });
   return lab;
 }
 
 std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+
+SrgbByteEncoder::SrgbByteEncoder() {
+  leastLinear_.back() = std::numeric_limits<float>::infinity();
+  // Floats from 0 up are ordered as their bits are.
+  std::uint32_t below = bitsOf(0.0F);
+  for (int byte = 1; byte <= 255; ++byte) {
+    std::uint32_t reached = bitsOf(1.0F);
+    while (reached - below > 1) {
+      const std::uint32_t middle = below + (reached - below) / 2;
+      (toByte(srgbEncode(floatOf(middle))) < byte ? below : reached) = middle;
+    }
+    leastLinear_[static_cast<std::size_t>(byte)] = floatOf(reached);
+  }
+  firstInterval_ = bitsOf(leastLinear_[1]) >> kIntervalShift;
+  const std::uint32_t end = (bitsOf(1.0F) >> kIntervalShift) + 1;
+  std::uint8_t byte = 0;
+  for (std::uint32_t interval = firstInterval_; interval < end; ++interval) {
+    const float low = floatOf(interval << kIntervalShift);
+    while (leastLinear_[byte + std::size_t{1}] <= low) ++byte;
+    byteAt_.push_back(byte);
+    assert(byte >= 254 || bitsOf(leastLinear_[byte + std::size_t{2}]) >> kIntervalShift > interval);
+  }
+}
+
+std::uint8_t SrgbByteEncoder::byte(float linear) const {
+  if (!(linear >= leastLinear_[1])) return 0;
+  const float clipped = std::min(linear, 1.0F);
+  const std::uint8_t byte = byteAt_[(bitsOf(clipped) >> kIntervalShift) - firstInterval_];
+  return static_cast<std::uint8_t>(byte + (clipped >= leastLinear_[byte + std::size_t{1}] ? 1 : 0));
+}
+
+Rgb8 SrgbByteEncoder::operator()(Lab color) const {
+  const Rgb linear = linearRgb(color);
+  return {byte(linear.r), byte(linear.g), byte(linear.b)};
 }
 
 }  // namespace fluidymation

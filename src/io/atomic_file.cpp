@@ -141,6 +141,10 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
   file.publish();
 }
 
+void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& file) {
+  writeAtomically(path, [&file](const ByteSink& sink) { sink(file.data(), file.size()); });
+}
+
 void checkFolderCreatable(const std::string& folder) {
   std::error_code ignored;
   fs::path existing = folder;

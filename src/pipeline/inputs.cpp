@@ -93,6 +93,7 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.shape = options.synthesis.shape;
   run.finestLevel = options.synthesis.finestLevel;
   run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
+  run.dumps = options.dumpGuidesDirectory.has_value();
   if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
   if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;
   return run;

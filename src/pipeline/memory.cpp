@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/gaussian.h"
+#include "fluidymation/io/png.h"
 #include "fluidymation/synthesis/lanes.h"
+#include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/shape_rules.h"
+#include "pipeline/frame_line.h"
 
 namespace fluidymation {
 namespace {
@@ -50,6 +54,16 @@ constexpr double kShapeBytes = 12.0;
 // with their mask, and of the exemplar the number of each pixel's part.
 constexpr double kAgeBytes = 4.0 + 4.0 + 1.0 + 4.0;
 constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
+
+// Per pixel of a frame being written: its picture, mask and coverage, the pixels of the file, and
+// the file, which compression hardly makes larger than they are, twice while it grows.
+constexpr double kWritingBytes =
+    sizeof(Lab) + sizeof(std::uint8_t) + sizeof(float) + 3.0 * sizeof(Rgba8);
+// What is kept of the frame written last, in case that the next one looks alike: pixels and file.
+constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8);
+// What is added where frames are dumped: all their guides, their matches, and these as files hold
+// them.
+constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
 
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
@@ -118,9 +132,14 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double reading =
       exemplar + std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
                           pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
-  const double painting = exemplar + std::max(pixels(run.target) * (kGuidesAtWork + ownBytes),
-                                              pixels(run.target) * (kPaintingBytes + ownBytes) +
-                                                  exemplarVolume * occurrenceBytes(run));
+  const double guiding = pixels(run.target) * (kGuidesAtWork + ownBytes);
+  const double searching =
+      pixels(run.target) * (kPaintingBytes + ownBytes) + exemplarVolume * occurrenceBytes(run);
+  const double writing = pixels(run.target) * (kWritingBytes + (run.dumps ? kDumpingBytes : 0.0));
+  const bool sideBySide = shareThreads(run.threads).beside() > 0;
+  const double painting =
+      exemplar + pixels(run.target) * kWrittenBytes +
+      (sideBySide ? guiding + searching + writing : std::max({guiding, searching, writing}));
 
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;
   return static_cast<std::int64_t>(kProgramBytes + masks + std::max({flow, reading, painting}));

@@ -28,6 +28,7 @@ struct RunSize {
   Size targetFlow{};
   FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
   bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
+  bool dumps = false;          ///< whether guides and matches are written too
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the
@@ -38,7 +39,8 @@ inline constexpr std::int64_t kBytesPerMaskPixel = 16;
 [[nodiscard]] std::int64_t bytesKept(const ShapeTally& target);
 
 /// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
-/// frame at work and the packed masks of the target. `bytesKept` comes on top for the target's
+/// frame at work (with several threads one in each stage: guides, search, writing) and the packed
+/// masks of the target. `bytesKept` comes on top for the target's
 /// mask pixels and outlines, whose number shows only when the masks are read and smoothed.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 

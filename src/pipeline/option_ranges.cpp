@@ -156,6 +156,7 @@ void validate(const Options& options) {
   check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check("--flow-blur-sigma", options.flowBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check(options.synthesis);
+  check("--compression-level", options.compressionLevel, ranges::kCompressionLevels);
   check("--threads", options.threads, ranges::kThreads);
 }
 

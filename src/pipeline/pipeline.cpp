@@ -1,27 +1,28 @@
 #include "fluidymation/pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
-#include "fluidymation/core/parallel.h"
+#include "fluidymation/core/index.h"
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/guides/material_age.h"
-#include "fluidymation/io/png.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/flow_note.h"
+#include "pipeline/frame_line.h"
+#include "pipeline/frame_writer.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
@@ -140,27 +141,32 @@ void addGuides(const Options& options, const Inputs& inputs, bool withAges, Guid
   exemplar.finish(options.synthesis.extentUnit);
 }
 
-/// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
-/// does not.
-Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& frame) {
-  Image<Rgba8> output(picture.size());
-  forEachRow(picture.height(), [&](int y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const std::uint8_t alpha = toByte(frame.coverageAt(x, y));
-      if (alpha == 0) continue;
-      const Rgb color = toRgb(picture(x, y));
-      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), alpha};
+/// Makes the guides of the target's frames, with their ages where they are compared.
+std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
+  return [&guides, withAges, ages = std::make_shared<TargetAges>()](int /*frame*/) {
+    GuideFrame frame = guides.next();
+    if (withAges) {
+      frame.age = ages->next(frame.mask);
+      frame.ageGrows = ages->haveGrown();
     }
-  });
-  return output;
+    return frame;
+  };
+}
+
+/// What is written of a frame that is not dumped.
+GuideFrame outlineOnly(GuideFrame guides) {
+  GuideFrame outline;
+  outline.mask = std::move(guides.mask);
+  outline.coverage = std::move(guides.coverage);
+  return outline;
 }
 
 }  // namespace
 
 void stylize(const Options& given, const Observer& observer) {
-  using Clock = std::chrono::steady_clock;
   validate(given);
-  const ThreadCount threads(given.threads);
+  const ThreadShares shares = shareThreads(given.threads);
+  const ThreadCount threads(given.threads, shares.beside());
 
   const Inputs inputs = openInputs(given, observer);
   Options options = given;
@@ -200,32 +206,41 @@ void stylize(const Options& given, const Observer& observer) {
   createOutputFolders(options, outPaths);
   addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
   Synthesizer synthesizer(exemplar, options.synthesis);
-  TargetAges ages;
+  FrameWriter writer(options.compressionLevel);
 
+  const bool dumps = options.dumpGuidesDirectory.has_value();
+  const std::vector<int>& numbers = inputs.target.files.numbers;
+  FrameStages stages;
+  stages.guide = guideStage(guides, withAges);
+  std::optional<std::string> note;  // on the frame painted last
+  stages.paint = [&](int j, GuideFrame frame) {
+    note = flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion);
+    PaintedFrame painted;
+    painted.picture = synthesizer.paint(frame);
+    painted.guides = dumps ? std::move(frame) : outlineOnly(std::move(frame));
+    if (dumps) painted.nnf = synthesizer.nnf().clone();
+    return painted;
+  };
+  stages.write = [&](int j, const PaintedFrame& painted) {
+    writer.write(outPaths[at(j)], painted.picture, painted.guides);
+    if (!dumps) return;
+    const std::string folder = dumpFolder(options, "target");
+    dumpGuides(folder, numbers[at(j)], painted.guides);
+    dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
+                             exemplar.level(0).size());
+  };
+
+  FrameEvents events;
+  events.begins = [&](int j) { stopIfCancelled(observer, j, frameCount); };
+  events.painted = [&](int /*frame*/) {
+    if (note && observer.note) observer.note(*note);
+  };
+  events.written = [&](int j, double seconds) {
+    if (!observer.frameDone) return;
+    observer.frameDone({j, frameCount, numbers[at(j)], seconds, outPaths[at(j)]});
+  };
   if (observer.paintingBegins) observer.paintingBegins(frameCount);
-  for (int j = 0; j < frameCount; ++j) {
-    stopIfCancelled(observer, j, frameCount);
-    const auto i = static_cast<std::size_t>(j);
-    const Clock::time_point start = Clock::now();
-    GuideFrame frame = guides.next();
-    if (withAges) {
-      frame.age = ages.next(frame.mask);
-      frame.ageGrows = ages.haveGrown();
-    }
-    const int number = inputs.target.files.numbers[i];
-    tellOfFlow(observer, "--target-path " + options.target.path, number, frame);
-    const Image<Lab> picture = synthesizer.paint(frame);
-    writePng(outPaths[i], toOutput(picture, frame));
-    if (options.dumpGuidesDirectory) {
-      dumpGuides(dumpFolder(options, "target"), number, frame);
-      dumpNearestNeighborField(dumpFolder(options, "target"), number, synthesizer.nnf(),
-                               inputs.color.files.numbers, exemplar.level(0).size());
-    }
-    if (observer.frameDone) {
-      const std::chrono::duration<double> spent = Clock::now() - start;
-      observer.frameDone({j, frameCount, number, spent.count(), outPaths[i]});
-    }
-  }
+  runFrames(frameCount, stages, shares, events);
 }
 
 }  // namespace fluidymation

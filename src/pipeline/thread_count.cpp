@@ -49,11 +49,11 @@ class IdleThreads {
 
 /// OpenMP's runtime ends the program when it cannot start a thread (a limit on processes or on
 /// address space), so they are all started once before.
-void requireThreads(int threads) {
+void requireThreads(int threads, int beside) {
   IdleThreads idle;
   std::string reason;
   try {
-    while (idle.count() + 1 < static_cast<std::size_t>(threads)) idle.add();
+    while (idle.count() + 1 < static_cast<std::size_t>(threads + beside)) idle.add();
     return;
   } catch (const std::system_error& failure) {
     reason = failure.code().message();
@@ -67,8 +67,8 @@ void requireThreads(int threads) {
 
 }  // namespace
 
-ThreadCount::ThreadCount(int threads) : before_(omp_get_max_threads()) {
-  requireThreads(threads);
+ThreadCount::ThreadCount(int threads, int beside) : before_(omp_get_max_threads()) {
+  requireThreads(threads, beside);
   omp_set_num_threads(threads);
 }
 

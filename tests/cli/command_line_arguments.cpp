@@ -83,6 +83,7 @@ const std::vector<Reaching>& reachingOptions() {
        }},
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
+      {"--compression-level", "7", [](C c) { return c.options.compressionLevel == 7; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
       {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},
       {"--target-flow-path", "g/%d.png",

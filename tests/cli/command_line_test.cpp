@@ -120,6 +120,8 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--seed", "-1", seed},
       {"--seed", "18446744073709551616", seed},
       {"--seed", "+1", seed},
+      {"--compression-level", "10", ": wanted a whole number in [0, 9]"},
+      {"--compression-level", "best", ": wanted a whole number in [0, 9]"},
       {"--threads", "0", ": wanted a whole number in [1, 1024]"},
       {"--threads", "1025", ": wanted a whole number in [1, 1024]"},
   };

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,24 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
     ToolOptions changed = common;
     changed[option] = value;
     EXPECT_TRUE(scene.painting(changed) != standard) << option;
+  }
+}
+
+TEST(EndToEndFrames, TheCompressionLevelChangesTheFilesAndNoPixel) {
+  const SmallScene scene;
+  ASSERT_EQ(scene.paint({{"--out-path", "standard/%05d.png"}}).exitCode, 0);
+  ASSERT_EQ(scene.paint({{"--out-path", "stored/%05d.png"}, {"--compression-level", "0"}}).exitCode,
+            0);
+  for (const std::string& name : kFourFrames) {
+    const Image<Rgba> expected = readPng(scene.file("standard/" + name));
+    const Image<Rgba> actual = readPng(scene.file("stored/" + name));
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), actual.begin(), actual.end(),
+                           [](const Rgba& p, const Rgba& q) {
+                             return std::tie(p.r, p.g, p.b, p.a) == std::tie(q.r, q.g, q.b, q.a);
+                           }))
+        << name;
+    EXPECT_GT(readBytes(scene.file("stored/" + name)).size(),
+              readBytes(scene.file("standard/" + name)).size());
   }
 }
 
@@ -169,6 +189,7 @@ TEST(EndToEndFrames, ValuesOutOfRangeAreWrongUsage) {
       {"--patchmatch-iterations", {"0", "6,0", ",", "6,", "6,,4", "1001"}},
       {"--opt-iterations", {"-1", ",4", "4,3,x"}},
       {"--seed", {"-1", "1.5", "18446744073709551616"}},
+      {"--compression-level", {"-1", "10", "best"}},
       {"--threads", {"0", "-1", "1025"}},
   };
   for (const auto& [option, values] : bad) {

@@ -25,6 +25,23 @@ TEST(EndToEndFrames, ThreadsChangeNoByte) {
   EXPECT_TRUE(scene.painting({{"--threads", "2"}, {"--seed", "1"}}) != one);
 }
 
+TEST(EndToEndFrames, ThreadsChangeNothingThatIsDumped) {
+  const SmallScene scene(4);
+  const auto dumped = [&](const std::string& threads) {
+    EXPECT_EQ(scene
+                  .paint({{"--threads", threads},
+                          {"--dump-guides", "dump" + threads},
+                          {"--out-path", "out" + threads + "/%05d.png"},
+                          {"--quiet", ""}})
+                  .exitCode,
+              0);
+    return filesOf(scene.file("dump" + threads + "/target"));
+  };
+  const Painting one = dumped("1");
+  EXPECT_FALSE(one.empty());
+  for (const char* threads : {"2", "5"}) EXPECT_TRUE(dumped(threads) == one) << threads;
+}
+
 TEST(EndToEndFrames, ThreadsThatCannotBeStartedAreRefusedBeforeAnythingElse) {
   // A sanitizer reserves far more address space than the limit set below, so that the program could
   // not even start: only a build without one can tell.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace fluidymation {
 
@@ -16,6 +18,9 @@ using ByteSink = std::function<void(const void* data, std::size_t byteCount)>;
 /// number of writers may write `path` at a time: the last one to finish wins.
 /// @throws Error naming `path` and the system's reason; whatever `write` throws.
 void writeAtomically(const std::string& path, const std::function<void(const ByteSink&)>& write);
+
+/// The same for a file that is in memory already.
+void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& file);
 
 /// Makes sure that `path` is free or an ordinary file, and a name that the file system takes,
 /// before any work is done. @throws Error naming `path` and the reason.

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/io/compression_level.h"
 
 namespace fluidymation {
 
@@ -80,10 +82,17 @@ struct Rgba8 {
   std::uint8_t a = 0;
 };
 
+/// A PNG file in memory.
+/// @param compressionLevel  0 to 9 (asserted).
+/// @throws Error with libpng's reason.
+[[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image,
+                                                  int compressionLevel = kDefaultCompression);
+
 /// Writes are atomic: under a temporary name in the same folder, flushed, then renamed. On failure
 /// the temporary file is removed and an older file of that name is left as it was.
 /// @throws Error naming the file and the system's reason.
-void writePng(const std::string& path, const Image<Rgba8>& image);
+void writePng(const std::string& path, const Image<Rgba8>& image,
+              int compressionLevel = kDefaultCompression);
 void writeGrayPng(const std::string& path, const Image<std::uint8_t>& image);
 
 }  // namespace fluidymation

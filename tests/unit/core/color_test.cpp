@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
 namespace fluidymation {
 namespace {
 
@@ -46,6 +51,82 @@ TEST(Color, OutOfGamutIsClipped) {
   for (const float channel : {color.r, color.g, color.b}) {
     EXPECT_GE(channel, 0.0F);
     EXPECT_LE(channel, 1.0F);
+  }
+}
+
+std::uint8_t byteByFormula(float linear) {
+  return toByte(srgbEncode(std::min(std::max(linear, 0.0F), 1.0F)));
+}
+
+TEST(SrgbByteEncoder, AgreesWithTheFormulaNearEveryDecisionLevel) {
+  const SrgbByteEncoder encoder;
+  constexpr int kNeighbours = 2000;  // floats on either side
+  for (int byte = 1; byte <= 255; ++byte) {
+    float linear = srgbDecode((static_cast<float>(byte) - 0.5F) / 255.0F);
+    for (int i = 0; i < kNeighbours; ++i) linear = std::nextafter(linear, 0.0F);
+    for (int i = 0; i < 2 * kNeighbours; ++i) {
+      ASSERT_EQ(encoder.byte(linear), byteByFormula(linear)) << byte << ' ' << linear;
+      linear = std::nextafter(linear, 2.0F);
+    }
+    EXPECT_EQ(encoder.byte(linear), byte) << "the level was among them";
+  }
+}
+
+TEST(SrgbByteEncoder, AgreesWithTheFormulaEverywhereBetween) {
+  const SrgbByteEncoder encoder;
+  // All floats from 0 to 1 in steps of a prime number of them
+  constexpr std::uint32_t kStep = 251;
+  constexpr std::uint32_t kBitsOfOne = 0x3F800000;
+  for (std::uint32_t bits = 0; bits <= kBitsOfOne; bits += kStep) {
+    float linear = 0.0F;
+    std::memcpy(&linear, &bits, sizeof linear);
+    ASSERT_EQ(encoder.byte(linear), byteByFormula(linear)) << linear;
+  }
+}
+
+TEST(SrgbByteEncoder, ClipsWhatIsOutside) {
+  const SrgbByteEncoder encoder;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float below : {-kInfinity, -1.0F, -0.0F, 0.0F}) EXPECT_EQ(encoder.byte(below), 0);
+  for (const float above : {1.0F, 1.0001F, 3e9F, kInfinity}) EXPECT_EQ(encoder.byte(above), 255);
+  EXPECT_EQ(encoder.byte(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(SrgbByteEncoder, GivesTheBytesOfTheColour) {
+  const SrgbByteEncoder encoder;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> lightness(-5.0F, 105.0F);
+  std::uniform_real_distribution<float> chroma(-140.0F, 140.0F);
+  for (int i = 0; i < 200'000; ++i) {
+    const Lab lab{lightness(random), chroma(random), chroma(random)};
+    const Rgb color = toRgb(lab);
+    const Rgb8 bytes = encoder(lab);
+    ASSERT_EQ(bytes.r, toByte(color.r));
+    ASSERT_EQ(bytes.g, toByte(color.g));
+    ASSERT_EQ(bytes.b, toByte(color.b));
+  }
+}
+
+TEST(Color, APictureBecomesWhatItsPixelsBecome) {
+  // The 256 values of 8-bit pictures, their neighbours and what scaling makes of them
+  std::vector<float> values = {-0.25F, 1.5F, std::numeric_limits<float>::quiet_NaN()};
+  for (int i = 0; i <= 255; ++i) {
+    const float value = static_cast<float>(i) / 255.0F;
+    values.insert(values.end(), {value, std::nextafter(value, 2.0F), std::nextafter(value, -1.0F),
+                                 value + 0.3F / 255.0F});
+  }
+  const int count = static_cast<int>(values.size());
+  Image<Rgb> picture(Size{count, 3});
+  for (int x = 0; x < count; ++x) {
+    const float value = values[static_cast<std::size_t>(x)];
+    picture(x, 0) = {value, 0.5F, 0.25F};
+    picture(x, 1) = {0.5F, value, 1.0F};
+    picture(x, 2) = {value, 0.0F, value};
+  }
+  const Image<Lab> lab = toLab(picture);
+  for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+    const Lab expected = toLab(picture.data()[i]);
+    ASSERT_EQ(std::memcmp(&lab.data()[i], &expected, sizeof expected), 0) << i;
   }
 }
 

@@ -288,6 +288,70 @@ TEST(Png, SameImageGivesTheSameBytes) {
   EXPECT_EQ(test::readBytes(folder.file("a.png")), test::readBytes(folder.file("b.png")));
 }
 
+/// Smooth colours with a little noise inside a disc, nothing outside: like a painted frame.
+Image<Rgba8> paintedDisc(Size size) {
+  Image<Rgba8> picture(size);
+  std::mt19937 random(1);
+  const int centreX = size.width / 2;
+  const int centreY = size.height / 2;
+  const int radius = size.height / 3;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const int dx = x - centreX;
+      const int dy = y - centreY;
+      if (dx * dx + dy * dy > radius * radius) continue;
+      const auto near = [&random](int value) {
+        return static_cast<std::uint8_t>(value + static_cast<int>(random() % 6));
+      };
+      picture(x, y) = {near(x / 2), near(y), near((x + y) / 4), 255};
+    }
+  }
+  return picture;
+}
+
+TEST(Png, CompressionLevelsChangeNoPixel) {
+  const TemporaryFolder folder;
+  const Image<Rgba8> picture = paintedDisc({90, 60});
+  for (int level = kLeastCompression; level <= kMostCompression; ++level) {
+    SCOPED_TRACE(level);
+    const std::string path = folder.file(std::to_string(level) + ".png");
+    writePng(path, picture, level);
+    const Image<Rgba> back = readPng(path);
+    ASSERT_EQ(back.size(), picture.size());
+    for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+      const Rgba& p = back.data()[i];
+      const Rgba8& e = picture.data()[i];
+      ASSERT_TRUE(toByte(p.r) == e.r && toByte(p.g) == e.g && toByte(p.b) == e.b &&
+                  toByte(p.a) == e.a)
+          << i;
+    }
+  }
+}
+
+TEST(Png, EveryCompressionLevelButTheLeastCompresses) {
+  const Image<Rgba8> picture = paintedDisc({400, 300});
+  const auto bytes = [&](int level) { return encodePng(picture, level).size(); };
+  EXPECT_GT(bytes(0), picture.pixelCount() * sizeof(Rgba8)) << "stored";
+  for (int level = 1; level <= kMostCompression; ++level) {
+    EXPECT_LT(bytes(level), bytes(0) / 4) << level;
+  }
+}
+
+TEST(Png, TheDefaultCompressionIsNearlyThatOfTheSlowestLevel) {
+  const Image<Rgba8> picture = paintedDisc({400, 300});
+  EXPECT_LT(static_cast<double>(encodePng(picture).size()),
+            1.05 * static_cast<double>(encodePng(picture, kMostCompression).size()));
+}
+
+TEST(Png, AFileIsWrittenAsItWasEncoded) {
+  const TemporaryFolder folder;
+  const Image<Rgba8> picture = paintedDisc({50, 40});
+  writePng(folder.file("a.png"), picture, 5);
+  const std::vector<std::uint8_t> encoded = encodePng(picture, 5);
+  const test::Bytes written = test::readBytes(folder.file("a.png"));
+  EXPECT_TRUE(std::equal(written.begin(), written.end(), encoded.begin(), encoded.end()));
+}
+
 TEST(Png, WritingNamesTheFileThatCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.file("none/a.png");

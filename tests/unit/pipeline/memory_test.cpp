@@ -29,7 +29,7 @@ TEST(Memory, ATypicalRunNeedsLittle) {
 }
 
 TEST(Memory, GrowsWithEverySize) {
-  const RunSize run{{400, 300}, 20, {500, 400}, 300, 2, 2.0F, {500, 400}};
+  const RunSize run{{400, 300}, 20, {500, 400}, 300, 1, 2.0F, {500, 400}};
   const std::int64_t bytes = bytesOfRun(run);
   const auto changed = [&](auto change) {
     RunSize other = run;
@@ -66,7 +66,7 @@ TEST(Memory, NoMoreThreadsCountThanTilesAreSearched) {
     run.finestLevel = finestLevel;
     return bytesOfRun(run);
   };
-  EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 1)) << "one tile of half the size";
+  EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 2)) << "one tile of half the size";
   EXPECT_LT(bytesFor({128, 128}, 1024), kMaxRunBytes);
   EXPECT_GT(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 7));
   EXPECT_EQ(bytesFor({1000, 128}, 1024), bytesFor({1000, 128}, 8));
@@ -76,6 +76,20 @@ TEST(Memory, NoMoreThreadsCountThanTilesAreSearched) {
     EXPECT_GT(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 3)) << "four tiles of full size";
     EXPECT_EQ(bytesFor({128, 128}, 1024), bytesFor({128, 128}, 4));
   }
+}
+
+TEST(Memory, WithSeveralThreadsAFrameIsInEveryStage) {
+  RunSize run{{400, 300}, 20, {1000, 800}, 30, 1, 2.0F, {1000, 800}};
+  run.finestLevel = FinestLevel::kUpscaled;  // hardly any maps
+  const std::int64_t alone = bytesOfRun(run);
+  run.threads = 2;
+  const std::int64_t sideBySide = bytesOfRun(run);
+  const std::int64_t pixels = 1000 * 800;
+  EXPECT_GT(sideBySide - alone, 256 * pixels);
+  EXPECT_LT(sideBySide - alone, 400 * pixels);
+  run.dumps = true;
+  EXPECT_GT(bytesOfRun(run) - sideBySide, 72 * pixels);
+  EXPECT_LT(bytesOfRun(run) - sideBySide, 200 * pixels);
 }
 
 TEST(Memory, MapsOfAFinestLevelThatIsOnlyUpscaledHaveAQuarterOfThePixels) {
@@ -116,6 +130,7 @@ struct FullMaskRun {
   int frames;
   MaskKind kind = MaskKind::kHard;
   const char* preset = "standard";
+  int threads = 1;
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -170,10 +185,11 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
                                                   {"--blur-sigma", "0"},
                                                   {"--opt-iterations", "0"},
                                                   {"--patchmatch-iterations", "1"},
+                                                  {"--threads", std::to_string(run.threads)},
                                                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
-  RunSize size{run.source, run.frames, run.target, run.frames, 1, 1.0F, largest};
+  RunSize size{run.source, run.frames, run.target, run.frames, run.threads, 1.0F, largest};
   const Options options = optionsOf(run.preset);
   size.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
   size.shape = options.synthesis.shape;
@@ -189,18 +205,19 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
 
 INSTANTIATE_TEST_SUITE_P(
     Sides, MemoryOfFullMasks,
-    ::testing::Values(FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
-                      FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
-                      FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
-                      FullMaskRun{
-                          "longThesis", {200, 150}, {40, 40}, 40, MaskKind::kHard, "thesis"},
-                      FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, "paper"},
-                      FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
-                      FullMaskRun{"target", {40, 40}, {600, 500}, 2},
-                      FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
-                      FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
-                      FullMaskRun{"dustExemplar", {200, 150}, {40, 40}, 40, MaskKind::kDust},
-                      FullMaskRun{"dustTarget", {40, 40}, {200, 150}, 30, MaskKind::kDust}),
+    ::testing::Values(
+        FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
+        FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
+        FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+        FullMaskRun{"longThesis", {200, 150}, {40, 40}, 40, MaskKind::kHard, "thesis"},
+        FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, "paper"},
+        FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
+        FullMaskRun{"target", {40, 40}, {600, 500}, 2},
+        FullMaskRun{"targetSideBySide", {40, 40}, {600, 500}, 6, MaskKind::kSoft, "standard", 2},
+        FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
+        FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
+        FullMaskRun{"dustExemplar", {200, 150}, {40, 40}, 40, MaskKind::kDust},
+        FullMaskRun{"dustTarget", {40, 40}, {200, 150}, 30, MaskKind::kDust}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Memory, CountsTheReadingOfAGivenFlow) {

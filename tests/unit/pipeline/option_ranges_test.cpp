@@ -116,6 +116,8 @@ const std::vector<Fault>& faults() {
        [](Options& o) {
          o.synthesis.optIterations = {4, -1};
        }},
+      {"--compression-level 10: wanted a whole number in [0, 9]",
+       [](Options& o) { o.compressionLevel = 10; }},
       {"--threads 0: wanted a whole number in [1, 1024]", [](Options& o) { o.threads = 0; }},
   };
   return all;

@@ -5,6 +5,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "fluidymation/core/error.h"
 #include "support/small_scene.h"
@@ -48,28 +51,59 @@ TEST(Stylize, StopsAtEveryStageWhenAsked) {
   // Asked before each mask of the exemplar, twice, likewise of the target, before each picture, its
   // guides, each frame to paint.
   constexpr int kBeforeTheFirst = 6 * kFrames;
-  for (int patience = 0; patience < kBeforeTheFirst + kFrames; ++patience) {
-    const SmallScene scene(kFrames);
-    int asked = 0;
-    Observer observer;
-    observer.cancelled = [&] { return asked++ == patience; };
-    const int written = std::max(0, patience - kBeforeTheFirst);
-    EXPECT_EQ(messageOf<Interrupted>([&] { stylize(optionsFor(scene), observer); }),
-              "interrupted; " + std::to_string(written) + " of 3 frames written");
-    EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(written));
+  for (const int threads : {1, 2}) {
+    for (int patience = 0; patience < kBeforeTheFirst + kFrames; ++patience) {
+      const SmallScene scene(kFrames);
+      Options options = optionsFor(scene);
+      options.threads = threads;
+      int asked = 0;
+      int told = 0;
+      Observer observer;
+      observer.cancelled = [&] { return asked++ == patience; };
+      observer.frameDone = [&](const FrameReport&) { ++told; };
+      const int written = std::max(0, patience - kBeforeTheFirst);
+      EXPECT_EQ(messageOf<Interrupted>([&] { stylize(options, observer); }),
+                "interrupted; " + std::to_string(written) + " of 3 frames written");
+      EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(written));
+      EXPECT_EQ(told, written);
+    }
   }
 }
 
 TEST(Stylize, TellsOfTheFirstFrameBeforeItIsPainted) {
-  const SmallScene scene(2);
-  std::string told;
-  Observer observer;
-  observer.paintingBegins = [&](int count) { told += "begin " + std::to_string(count); };
-  observer.frameDone = [&](const FrameReport& report) {
-    told += ", done " + std::to_string(report.frameNumber);
-  };
-  stylize(optionsFor(scene), observer);
-  EXPECT_EQ(told, "begin 2, done 1, done 2");
+  for (const int threads : {1, 3}) {
+    const SmallScene scene(2);
+    Options options = optionsFor(scene);
+    options.threads = threads;
+    std::string told;
+    Observer observer;
+    observer.paintingBegins = [&](int count) { told += "begin " + std::to_string(count); };
+    observer.frameDone = [&](const FrameReport& report) {
+      told += ", done " + std::to_string(report.frameNumber);
+      EXPECT_FALSE(scene.read(SmallScene::frame("out", report.frameNumber)).empty());
+    };
+    stylize(options, observer);
+    EXPECT_EQ(told, "begin 2, done 1, done 2");
+  }
+}
+
+TEST(Stylize, AFrameThatCannotBeWrittenEndsTheRunAfterThoseBeforeIt) {
+  for (const int threads : {1, 2}) {
+    const SmallScene scene(4);
+    Options options = optionsFor(scene);
+    options.threads = threads;
+    int told = 0;
+    Observer observer;
+    // Nobody expects a folder of that name once all paths are checked.
+    const std::string third = scene.file("out/00003.png");
+    observer.paintingBegins = [&](int) { std::filesystem::create_directory(third); };
+    observer.frameDone = [&](const FrameReport&) { ++told; };
+    EXPECT_EQ(messageOf<Error>([&] { stylize(options, observer); }),
+              third + ": cannot be written (it is a folder)");
+    EXPECT_EQ(told, 2);
+    EXPECT_EQ(scene.names("out"),
+              (std::vector<std::string>{"00001.png", "00002.png", "00003.png"}));
+  }
 }
 
 TEST(Stylize, FinishesWhenAskedToStopAfterTheLastFrame) {

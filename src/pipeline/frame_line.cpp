@@ -1,0 +1,116 @@
+#include "pipeline/frame_line.h"
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include "pipeline/worker.h"
+
+namespace fluidymation {
+namespace {
+
+/// A stage's own thread; none where nothing goes on beside the caller.
+std::unique_ptr<Worker> workerOf(int loopThreads) {
+  return loopThreads > 0 ? std::make_unique<Worker>(loopThreads) : nullptr;
+}
+
+/// Begins `job` in the worker's thread; without one it is done when its result is asked for.
+template <typename Job>
+[[nodiscard]] auto begin(Worker* worker, Job job) {
+  return worker != nullptr ? worker->start(std::move(job))
+                           : std::async(std::launch::deferred, std::move(job));
+}
+
+/// Makes guides one frame ahead of who takes them.
+class GuidesAhead {
+ public:
+  GuidesAhead(int frameCount, const FrameStages& stages, int loopThreads)
+      : frameCount_(frameCount), stages_(stages), worker_(workerOf(loopThreads)) {
+    beginNext();
+  }
+
+  /// Of the next frame. Not called more than `frameCount` times.
+  [[nodiscard]] GuideFrame take() {
+    GuideFrame guides = coming_.get();
+    beginNext();
+    return guides;
+  }
+
+ private:
+  void beginNext() {
+    if (next_ == frameCount_) return;
+    coming_ = begin(worker_.get(), [this, frame = next_] { return stages_.guide(frame); });
+    ++next_;
+  }
+
+  int frameCount_;
+  const FrameStages& stages_;
+  int next_ = 0;
+  std::future<GuideFrame> coming_;
+  std::unique_ptr<Worker> worker_;
+};
+
+/// Writes one frame while others are made.
+class WritingBehind {
+ public:
+  WritingBehind(const FrameStages& stages, const FrameEvents& events, int loopThreads)
+      : stages_(stages), events_(events), worker_(workerOf(loopThreads)) {}
+
+  /// Begins to write a frame; none may be under way.
+  void begin(int frame, PaintedFrame painted) {
+    frame_ = frame;
+    going_ = fluidymation::begin(worker_.get(), [this, frame, painted = std::move(painted)] {
+      stages_.write(frame, painted);
+    });
+    if (worker_ == nullptr) finish();
+  }
+
+  /// Waits for the frame that is under way, if any, and tells of it.
+  void finish() {
+    if (!going_.valid()) return;
+    going_.get();
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> spent = now - std::exchange(lastDone_, now);
+    events_.written(frame_, spent.count());
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const FrameStages& stages_;
+  const FrameEvents& events_;
+  Clock::time_point lastDone_ = Clock::now();
+  int frame_ = 0;
+  std::future<void> going_;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace
+
+ThreadShares shareThreads(int threads) {
+  if (threads == 1) return {};
+  return {threads, std::max(2, threads / 2), 1};
+}
+
+void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,
+               const FrameEvents& events) {
+  WritingBehind writing(stages, events, threads.write);
+  GuidesAhead guides(frameCount, stages, threads.guide);
+  try {
+    for (int frame = 0; frame < frameCount; ++frame) {
+      events.begins(frame);
+      PaintedFrame painted = stages.paint(frame, guides.take());
+      writing.finish();
+      events.painted(frame);
+      writing.begin(frame, std::move(painted));
+    }
+  } catch (...) {
+    writing.finish();
+    throw;
+  }
+  writing.finish();
+}
+
+}  // namespace fluidymation

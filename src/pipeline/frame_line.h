@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/synthesis/nnf.h"
+
+namespace fluidymation {
+
+/// A painted frame on its way to the disk.
+struct PaintedFrame {
+  Image<Lab> picture;
+  GuideFrame guides;                        ///< mask and coverage; everything where it is dumped
+  std::optional<NearestNeighborField> nnf;  ///< where it is dumped
+};
+
+/// What is done with each frame of a target. Each stage gets the frames in order, one at a time.
+struct FrameStages {
+  std::function<GuideFrame(int frame)> guide;
+  std::function<PaintedFrame(int frame, GuideFrame guides)> paint;
+  std::function<void(int frame, const PaintedFrame& painted)> write;
+};
+
+/// What the caller wants to hear; called from its own thread, for each frame in order.
+struct FrameEvents {
+  /// Before a frame is painted; may throw to stop.
+  std::function<void(int frame)> begins;
+  /// The frame is painted, all before it are written and told of.
+  std::function<void(int frame)> painted;
+  /// The frame is written, `seconds` after the one before it was, or after painting began.
+  std::function<void(int frame, double seconds)> written;
+};
+
+/// Threads of a run: of the search and of what goes on beside it.
+struct ThreadShares {
+  int paint = 1;  ///< for the parallel loops of the stage `paint`, the caller's thread among them
+  int guide = 0;  ///< likewise, in a thread beside the caller's; 0: nothing goes on beside
+  int write = 0;  ///< likewise
+
+  /// Threads besides those of `paint`.
+  [[nodiscard]] int beside() const { return guide + write; }
+};
+
+/// How a run with so many threads is shared out. Guides and files are little work next to the
+/// search; they fill what it leaves of the processors where its threads wait for each other. Half
+/// of the threads for the guides' loops let these keep up with the search, and two at least: OpenMP
+/// of GCC spins for milliseconds wherever its threads wait, and takes the processors from what goes
+/// on beside, unless it has more threads than there are processors. With 2 threads on
+/// 2 processors that took 0.59 to 0.64 s of both processors a frame, where one thread for the
+/// guides took 0.73 to 0.76 s (two runs each, short searches).
+[[nodiscard]] ThreadShares shareThreads(int threads);
+
+/// Takes frames 0 to `frameCount` - 1 through all stages. `paint` runs in the caller's thread. With
+/// threads beside it, the guides of the next frame are made and the frame before is written
+/// meanwhile; at any time there is at most one frame in each stage and one between `guide` and
+/// `paint`. Without, nothing is done before it is wanted: one stage after the other.
+///
+/// However it ends, no stage is at work afterwards, and every frame that was painted before the
+/// fault is written and told of. The fault of the earliest frame is the one that comes out.
+/// @throws whatever stages and events throw; std::system_error when a thread cannot be started.
+void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,
+               const FrameEvents& events);
+
+}  // namespace fluidymation

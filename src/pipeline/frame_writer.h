@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/io/png.h"
+
+namespace fluidymation {
+
+/// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
+/// does not.
+/// @param guides  mask and coverage of the frame.
+[[nodiscard]] Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& guides,
+                                    const SrgbByteEncoder& encoder);
+
+/// Writes painted frames as PNG files. A frame that looks as the one before costs no encoding: the
+/// same bytes are written once more.
+class FrameWriter {
+ public:
+  /// @param compressionLevel  0 to 9, see `encodePng`.
+  explicit FrameWriter(int compressionLevel) : compressionLevel_(compressionLevel) {}
+
+  /// @param guides  mask and coverage of the frame.
+  /// @throws Error naming the file that cannot be written.
+  void write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
+
+  /// Frames that were encoded so far.
+  [[nodiscard]] int encodedCount() const { return encodedCount_; }
+
+ private:
+  int compressionLevel_;
+  SrgbByteEncoder encoder_;
+  Image<Rgba8> last_;
+  std::vector<std::uint8_t> lastFile_;  ///< `last_` encoded
+  int encodedCount_ = 0;
+};
+
+}  // namespace fluidymation
