@@ -20,7 +20,7 @@ using namespace fluidymation::bench;
 
 struct Arguments {
   std::vector<std::string> cases;  ///< all where none is given
-  std::optional<Stage> stage;
+  std::string stage;               ///< empty: all
   Format format = Format::kTable;
   int threads = 1;
   int repetitions = 5;
@@ -32,17 +32,15 @@ struct Arguments {
 void addOptions(CLI::App& app, Arguments& arguments) {
   std::vector<std::string> caseNames;
   for (const BenchmarkCase& one : benchmarkCases()) caseNames.push_back(one.name);
-  std::map<std::string, Stage> stages;
-  for (const Stage stage : allStages()) stages[nameOf(stage)] = stage;
+  std::vector<std::string> stageNames;
+  for (const Stage stage : allStages()) stageNames.push_back(nameOf(stage));
   const std::map<std::string, Format> formats = {{"table", Format::kTable}, {"tsv", Format::kTsv}};
   constexpr int kMost = 1000;  // catches slips
 
   app.add_option("--case", arguments.cases, "Only this case; may be repeated (default: all)")
       ->check(CLI::IsMember(caseNames));
-  app.add_option("--stage", arguments.stage,
-                 "Only the rows of this stage, such as search; all are still run")
-      ->transform(CLI::CheckedTransformer(stages, CLI::ignore_case))
-      ->option_text("NAME");
+  app.add_option("--stage", arguments.stage, "Only the rows of this stage; all are still run")
+      ->check(CLI::IsMember(stageNames));
   app.add_option("--threads", arguments.threads, "Threads of the engine")
       ->check(CLI::Range(1, kMost))
       ->capture_default_str();
@@ -67,6 +65,13 @@ bool isWanted(const Arguments& arguments, const BenchmarkCase& one) {
                                               one.name) != arguments.cases.end();
 }
 
+std::optional<Stage> wantedStage(const Arguments& arguments) {
+  for (const Stage stage : allStages()) {
+    if (nameOf(stage) == arguments.stage) return stage;
+  }
+  return std::nullopt;
+}
+
 void run(const Arguments& arguments) {
   omp_set_num_threads(arguments.threads);
   printFacts(std::cout, factsOfMachine(arguments.threads), arguments.format);
@@ -76,7 +81,7 @@ void run(const Arguments& arguments) {
     const Measurement measurement = measure(loaded, arguments.repetitions);
     if (arguments.format == Format::kTable) std::cout << '\n';
     printFacts(std::cout, factsOfCase(one, loaded, measurement), arguments.format);
-    printCosts(std::cout, one.name, measurement, arguments.stage, arguments.format);
+    printCosts(std::cout, one.name, measurement, wantedStage(arguments), arguments.format);
     std::cout << std::flush;
     if (!measurement.sameMatches) {
       std::cerr << "fluidymation_bench: note: " << one.name
