@@ -19,7 +19,7 @@ check_tsan() {
   cmake --preset tsan
   cmake --build --preset tsan --parallel "$jobs"
   TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1" OMP_NUM_THREADS=4 \
-    ctest --preset tsan --parallel "$jobs" --label-regex 'core|guides|synthesis'
+    ctest --preset tsan --parallel "$jobs" --label-regex 'core|guides|synthesis|pipeline'
 }
 
 check_format() {

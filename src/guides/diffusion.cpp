@@ -457,9 +457,7 @@ SolveReport diffuse(const Mask& region, const Mask& isBorder, Image<Vec2>& field
   const PreciseField& solution = gradients.solution();
   for (const PixelSpan& span : gradients.finest().spans) {
     Vec2* out = field.row(span.y) + span.x;
-    for (int i = span.begin; i < span.end; ++i) {
-      out[2 * (i - span.begin)] = toFloat(solution[at(i)]);
-    }
+    for (int i = span.begin; i < span.end; ++i, out += 2) *out = toFloat(solution[at(i)]);
   }
   return report;
 }

@@ -45,9 +45,9 @@ Mask borderPixels(const Mask& mask) {
     const std::uint8_t* below = mask.row(std::min(y + 1, mask.height() - 1));
     std::uint8_t* out = border.row(y);
     const auto mark = [&](int x, int left, int right) {
-      const bool surrounded =
-          ((here[left] != 0) & (here[right] != 0) & (above[x] != 0) & (below[x] != 0)) != 0;
-      out[x] = static_cast<std::uint8_t>((here[x] != 0) & !surrounded);
+      // Products instead of branches: masks are 0 or 1
+      const int surrounded = here[left] * here[right] * above[x] * below[x];
+      out[x] = static_cast<std::uint8_t>(here[x] * (1 - surrounded));
     };
     if (width == 0) return;
     mark(0, 0, std::min(1, width - 1));

@@ -241,15 +241,15 @@ PixelLevel pixelLevel(const Mask& region, const Mask& isBorder) {
     NeighbourRow below(runs, isBorder, y, 1);
     for (int r = runs.firstOfRow[at(y)]; r < runs.firstOfRow[at(y + 1)]; ++r) {
       const Run& run = runs.runs[at(r)];
-      int endX = run.beginX;
-      for (int x = run.beginX; x < run.endX; x = endX) {
+      for (int x = run.beginX; x < run.endX;) {
         above.moveTo(x);
         below.moveTo(x);
         // The run's first and last pixel lack a neighbour that the others have
         const bool isEnd = x == run.beginX || x == run.endX - 1;
         const int limit = isEnd ? x + 1 : run.endX - 1;
-        endX = std::min(above.alikeUpTo(limit), below.alikeUpTo(limit));
+        const int endX = std::min(above.alikeUpTo(limit), below.alikeUpTo(limit));
         appendSpans(run, x, endX, above, below, isBorder, spans);
+        x = endX;
       }
     }
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include "pipeline/worker.h"
@@ -11,28 +11,18 @@
 namespace fluidymation {
 namespace {
 
-/// A stage's own thread; none where nothing goes on beside the caller.
-std::unique_ptr<Worker> workerOf(int loopThreads) {
-  return loopThreads > 0 ? std::make_unique<Worker>(loopThreads) : nullptr;
-}
-
-/// Begins `job` in the worker's thread; without one it is done when its result is asked for.
-template <typename Job>
-[[nodiscard]] auto begin(Worker* worker, Job job) {
-  return worker != nullptr ? worker->start(std::move(job))
-                           : std::async(std::launch::deferred, std::move(job));
-}
-
 /// Makes guides one frame ahead of who takes them.
 class GuidesAhead {
  public:
   GuidesAhead(int frameCount, const FrameStages& stages, int loopThreads)
-      : frameCount_(frameCount), stages_(stages), worker_(workerOf(loopThreads)) {
+      : frameCount_(frameCount), stages_(stages) {
+    if (loopThreads > 0) worker_.emplace(loopThreads);
     beginNext();
   }
 
   /// Of the next frame. Not called more than `frameCount` times.
   [[nodiscard]] GuideFrame take() {
+    if (!worker_) return stages_.guide(next_++);
     GuideFrame guides = coming_.get();
     beginNext();
     return guides;
@@ -40,8 +30,8 @@ class GuidesAhead {
 
  private:
   void beginNext() {
-    if (next_ == frameCount_) return;
-    coming_ = begin(worker_.get(), [this, frame = next_] { return stages_.guide(frame); });
+    if (!worker_ || next_ == frameCount_) return;
+    coming_ = worker_->start([this, frame = next_] { return stages_.guide(frame); });
     ++next_;
   }
 
@@ -49,42 +39,51 @@ class GuidesAhead {
   const FrameStages& stages_;
   int next_ = 0;
   std::future<GuideFrame> coming_;
-  std::unique_ptr<Worker> worker_;
+  std::optional<Worker> worker_;  ///< none where nothing goes on beside the caller
 };
 
 /// Writes one frame while others are made.
 class WritingBehind {
  public:
   WritingBehind(const FrameStages& stages, const FrameEvents& events, int loopThreads)
-      : stages_(stages), events_(events), worker_(workerOf(loopThreads)) {}
+      : stages_(stages), events_(events) {
+    if (loopThreads > 0) worker_.emplace(loopThreads);
+  }
 
   /// Begins to write a frame; none may be under way.
   void begin(int frame, PaintedFrame painted) {
     frame_ = frame;
-    going_ = fluidymation::begin(worker_.get(), [this, frame, painted = std::move(painted)] {
+    if (!worker_) {
       stages_.write(frame, painted);
-    });
-    if (worker_ == nullptr) finish();
+      tell();
+      return;
+    }
+    going_ = worker_->start(
+        [this, frame, painted = std::move(painted)] { stages_.write(frame, painted); });
   }
 
   /// Waits for the frame that is under way, if any, and tells of it.
   void finish() {
     if (!going_.valid()) return;
     going_.get();
-    const Clock::time_point now = Clock::now();
-    const std::chrono::duration<double> spent = now - std::exchange(lastDone_, now);
-    events_.written(frame_, spent.count());
+    tell();
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void tell() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> spent = now - std::exchange(lastDone_, now);
+    events_.written(frame_, spent.count());
+  }
 
   const FrameStages& stages_;
   const FrameEvents& events_;
   Clock::time_point lastDone_ = Clock::now();
   int frame_ = 0;
   std::future<void> going_;
-  std::unique_ptr<Worker> worker_;
+  std::optional<Worker> worker_;  ///< none where nothing goes on beside the caller
 };
 
 }  // namespace

@@ -53,7 +53,8 @@ void requireThreads(int threads, int beside) {
   IdleThreads idle;
   std::string reason;
   try {
-    while (idle.count() + 1 < static_cast<std::size_t>(threads + beside)) idle.add();
+    const auto wanted = static_cast<std::size_t>(threads) + static_cast<std::size_t>(beside);
+    while (idle.count() + 1 < wanted) idle.add();
     return;
   } catch (const std::system_error& failure) {
     reason = failure.code().message();
