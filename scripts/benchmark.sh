@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Measures the stages of a frame, or compares the whole tool with another build of it.
 # Usage: scripts/benchmark.sh [OPTION...]
-#          builds and runs build/bench/fluidymation_bench; --bench-help shows its options
+#          builds and runs fluidymation_bench; --bench-help shows its options
 #        scripts/benchmark.sh --against GITREF|PROGRAM [OPTION...]
 #          builds the tool as it stands (A) and at GITREF (B), and times runs of both in turn;
 #          options: --case NAME --frames MANY --few FEW --pairs N --threads N
+#          B is kept in build/against/COMMIT for the next time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
@@ -28,38 +29,37 @@ while [ $# -gt 0 ]; do
   shift
 done
 require_own_folders
-jobs=$(nproc)
+
+build() { # TARGET, of the release preset in the current folder
+  cmake --preset release
+  cmake --build --preset release --parallel "$(nproc)" --target "$1"
+}
 
 if [ -z "$against" ]; then
   scripts/install_packages.sh build
-  { cmake -S tests/bench -B build/bench &&
-    cmake --build build/bench --parallel "$jobs" --target fluidymation_bench; } >&2
-  exec build/bench/fluidymation_bench "${rest[@]}"
+  build fluidymation_bench >&2
+  exec build/release/fluidymation_bench "${rest[@]}"
 fi
 
+commit=
 if [ -x "$against" ] && [ -f "$against" ]; then
   program=$against
 else
-  git rev-parse --quiet --verify "$against^{commit}" >/dev/null ||
+  commit=$(git rev-parse --quiet --verify "$against^{commit}") ||
     refuse "--against $against: neither a commit nor a program"
-  program=
+  program=build/against/$commit/fluidymation
 fi
 scripts/install_packages.sh build samples
-cmake --preset release >&2
-cmake --build --preset release --parallel "$jobs" >&2
+build fluidymation >&2
 
-if [ -z "$program" ]; then
-  folder=$(mktemp -d)
-  remove_worktree() {
-    git worktree remove --force "$folder/tree" 2>/dev/null || true
-    rm -rf "$folder"
-  }
-  trap remove_worktree EXIT
+if [ -n "$commit" ] && [ ! -x "$program" ]; then
+  tree=$(mktemp -d)
+  trap 'rm -rf "$tree"' EXIT
   trap 'exit 130' INT TERM
-  git worktree add --quiet --detach "$folder/tree" "$against"
-  (cd "$folder/tree" && cmake --preset release &&
-    cmake --build --preset release --parallel "$jobs") >&2
-  program=$folder/tree/build/release/fluidymation
+  git archive "$commit" | tar -x -C "$tree"
+  (cd "$tree" && build fluidymation) >&2
+  mkdir -p "$(dirname "$program")"
+  mv "$tree/build/release/fluidymation" "$program"
 fi
-echo "A is $(git describe --always --dirty --abbrev=12), B is $against"
+echo "A is $(git describe --always --dirty --exclude='*' --abbrev=12), B is $against"
 scripts/benchmark_compare.py --program build/release/fluidymation --against "$program" "${rest[@]}"

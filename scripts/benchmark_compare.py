@@ -5,14 +5,18 @@
                          [--pairs N] [--threads N]
 
 Every pair is four runs: A and B with many frames, A and B with few. The time of a frame is the
-difference divided by the frames between them, so that start-up and reading cancel.
+difference divided by the frames between them, so that start-up and reading cancel. A machine that
+others use too may change its speed by half within minutes: only runs next to each other compare.
+Each pair therefore has a ratio of its own, and A and B take turns in going first.
 """
 
 import argparse
 import pathlib
+import sys
 import tempfile
 
 import numpy as np
+from PIL import Image
 
 import benchmark_runs
 
@@ -51,10 +55,19 @@ def spread(values, digits):
     return f"{np.median(values):.{digits}f} ({min(values):.{digits}f}..{max(values):.{digits}f})"
 
 
+def frame_cost(name, many, few, frames):
+    """What a frame of one program costs; ends this script where runs are too short to tell."""
+    cost = benchmark_runs.per_frame(many, few, frames)
+    if cost.wall <= 0 or cost.cpu <= 0:
+        sys.exit(f"{name}: many frames took no longer than few; wanted more, see --frames")
+    return cost
+
+
 def same_frames(folder, other, frames):
-    """How many of the first frames are the same files, byte by byte."""
+    """How many of the first frames have the same pixels; files may be compressed differently."""
     names = [f"{number:05d}.png" for number in range(1, frames + 1)]
-    return sum((folder / name).read_bytes() == (other / name).read_bytes() for name in names)
+    return sum(np.array_equal(np.asarray(Image.open(folder / name)),
+                              np.asarray(Image.open(other / name))) for name in names)
 
 
 def main():
@@ -71,12 +84,13 @@ def main():
                 programs[name], source / "rgb", source / "mask", SAMPLES / "target-mask" / target,
                 out[name], frames, "--src-frames", exemplar_frames, "--threads", given.threads))
 
-        for _ in range(given.pairs):
-            many = {name: run(name, given.frames) for name in programs}
-            few = {name: run(name, given.few) for name in programs}
+        for pair in range(given.pairs):
+            order = sorted(programs, reverse=pair % 2 == 1)
+            many = {name: run(name, given.frames) for name in order}
+            few = {name: run(name, given.few) for name in order}
             for name in programs:
                 costs[name].append(
-                    benchmark_runs.per_frame(many[name], few[name], given.frames - given.few))
+                    frame_cost(name, many[name], few[name], given.frames - given.few))
         pixels = benchmark_runs.mask_pixels(out["A"], given.few + 1, given.frames)
         same = same_frames(out["A"], out["B"], given.frames)
 
@@ -90,9 +104,9 @@ def main():
         print(f"{name}         {spread(walls, 3)} s per frame, {spread(cpus, 2)} "
               f"microseconds x cores per px inside   {program}")
     pairs = list(zip(costs["A"], costs["B"]))
-    print(f"B / A     {spread([b.wall / a.wall for a, b in pairs], 2)} by the clock, "
+    print(f"B / A     of each pair: {spread([b.wall / a.wall for a, b in pairs], 2)} by the clock, "
           f"{spread([b.cpu / a.cpu for a, b in pairs], 2)} by processor time")
-    print(f"painted   {same} of {given.frames} frames are the same bytes")
+    print(f"painted   {same} of {given.frames} frames have the same pixels")
 
 
 if __name__ == "__main__":

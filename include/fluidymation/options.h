@@ -108,6 +108,14 @@ enum class FinestLevel {
   kSearched,  ///< likewise, and the sweep searches at random too: calmest, and half as fast
 };
 
+/// Where the search spends its effort; §2.2, §4.3.
+enum class SearchEffort {
+  kEverywhere,      ///< the thesis': every sweep tries two neighbours' matches and random ones
+                    ///< everywhere
+  kWhereItChanges,  ///< random matches where the last sweep has changed something, matches of four
+                    ///< neighbours where they are new: half the work for matches about as good
+};
+
 struct SynthesisOptions {
   float texWeight = 1.0F;         ///< colours of the picture as it stands; §3.7, P§3.1
   float distWeight = 5.0F;        ///< edge or shape guide; §3.4, P§3.1
@@ -135,6 +143,7 @@ struct SynthesisOptions {
   /// §4.4.3 has 4, 2, 1 for the optimization).
   std::vector<int> patchmatchIterations = {6, 4};
   std::vector<int> optIterations = {4, 3, 2};
+  SearchEffort searchEffort = SearchEffort::kWhereItChanges;
   std::uint64_t seed = 0;
 };
 

@@ -371,6 +371,13 @@ void addSynthesis(Table& table) {
                  ranges::kOptIterations, "thesis §4.5", [](CommandLine& c) -> std::vector<int>& {
                    return c.options.synthesis.optIterations;
                  });
+  table.word<SearchEffort>(
+      "--search", kSynthesis,
+      "focused: random matches are tried where matches still change;\n"
+      "everywhere: in every pass at every pixel",
+      {{"focused", SearchEffort::kWhereItChanges}, {"everywhere", SearchEffort::kEverywhere}},
+      "thesis §4.3: everywhere",
+      [](CommandLine& c) -> SearchEffort& { return c.options.synthesis.searchEffort; });
   table.word<FinestLevel>("--finest-level", kSynthesis,
                           "refined: full-resolution matches of the last frame and of\n"
                           "neighbours are taken where they are better; searched: others\n"

@@ -91,6 +91,7 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.largestStored = largestStored(inputs);
   run.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
   run.shape = options.synthesis.shape;
+  run.occRadiusFrames = options.synthesis.occRadiusFrames;
   run.finestLevel = options.synthesis.finestLevel;
   run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
   run.dumps = options.dumpGuidesDirectory.has_value();

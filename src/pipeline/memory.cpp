@@ -7,23 +7,27 @@
 #include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/io/png.h"
-#include "fluidymation/synthesis/lanes.h"
+#include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/shape_rules.h"
+#include "fluidymation/synthesis/texel.h"
 #include "pipeline/frame_line.h"
 
 namespace fluidymation {
 namespace {
 
 // Bytes per pixel and frame of the exemplar.
-constexpr double kLevelBytes = sizeof(Lanes) + sizeof(Segment) + sizeof(std::uint32_t);
-constexpr double kPyramidFactor = 4.0 / 3.0;  // 1 + 1/4 + 1/16 + ...
-constexpr double kAccumulatedBytes = 16.0;    // acc+ and acc-, or while reading the stream's own
+constexpr double kDirectionBytes = 4.0;
+constexpr double kLevelBytes = kDirectionBytes + sizeof(Segment) + sizeof(std::uint32_t);
+constexpr double kExtentBytes = sizeof(Vec2);  // on all levels, until the last frame is read
+constexpr double kPyramidFactor = 4.0 / 3.0;   // 1 + 1/4 + 1/16 + ...
+constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-, or while reading the stream's own
 constexpr double kUnreturnedBytes = 12.0;  // of the stream's own, too scattered for acc+ and acc-
-constexpr double kFilteredMapBytes = 8.0;  // an occurrence map with its filters' buffer
-constexpr double kMapBytes = 4.0;          // one without: the changes of a thread's tile
+constexpr double kMapBytes = 4.0;          // an occurrence map
+// The changes of a thread's tile, with the smallest of radii; a seventh with the default one
+constexpr double kChangesBytes = 4.0;
 constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twice for a moment
 
 // Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and
@@ -93,6 +97,18 @@ double ruleBytes(const ShapeRules& rules) {
          (rules.hardSegments ? 0.0 : kAllPixelsBytes);
 }
 
+/// The texels of the exemplar on all levels, with their margins.
+double texelBytes(const RunSize& run) {
+  constexpr int kMarginsPx = 2 * ExemplarLevel::kMarginPx;
+  double texels = 0.0;
+  Size size = run.exemplar;
+  for (int level = coarsestLevel(run.exemplar, run.target); level >= 0; --level) {
+    texels += pixels({size.width + kMarginsPx, size.height + kMarginsPx});
+    size = halvedSize(size);
+  }
+  return texels * run.exemplarFrames * sizeof(Texel);
+}
+
 /// While a frame is decoded: what it takes beyond the size that it is scaled to.
 double decodingBytes(const RunSize& run, Size scaled) {
   return std::max(0.0, pixels(run.largestStored) - pixels(scaled)) * kDecodingBytes;
@@ -110,7 +126,9 @@ double occurrenceBytes(const RunSize& run) {
       run.finestLevel != FinestLevel::kUpscaled || coarsestLevel(run.exemplar, run.target) == 0;
   const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
   const int workers = std::min(run.threads, tileCount(searched));
-  return (finestIsSearched ? 1.0 : 0.25) * (kFilteredMapBytes + kMapBytes * workers);
+  const double ofChanges =
+      kMapBytes / UseChanges::framesPerGroup(run.exemplarFrames, run.occRadiusFrames);
+  return (finestIsSearched ? 1.0 : 0.25) * (kMapBytes + ofChanges * workers);
 }
 
 }  // namespace
@@ -124,14 +142,16 @@ std::int64_t bytesOfRun(const RunSize& run) {
                          flowBytes(run.target, run.targetFrames, run.targetFlow, run)});
 
   const double exemplar =
+      texelBytes(run) +
       exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) + kPackedMaskBytes +
                         kAccumulatedBytes + kUnreturnedBytes + kCandidateGrowthBytes);
   const double ownBytes = (run.shape.guide == ShapeGuide::kBlurredMask ? kShapeBytes : 0.0) +
                           (run.mayCompareAges ? kAgeBytes : 0.0);
   constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
   const double reading =
-      exemplar + std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
-                          pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
+      exemplar + exemplarVolume * kPyramidFactor * kExtentBytes +
+      std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
+               pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
   const double guiding = pixels(run.target) * (kGuidesAtWork + ownBytes);
   const double searching =
       pixels(run.target) * (kPaintingBytes + ownBytes) + exemplarVolume * occurrenceBytes(run);

@@ -28,6 +28,7 @@ struct RunSize {
   Size targetFlow{};
   FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
   bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
+  int occRadiusFrames = SynthesisOptions{}.occRadiusFrames;
   bool dumps = false;          ///< whether guides and matches are written too
 };
 

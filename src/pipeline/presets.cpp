@@ -23,6 +23,7 @@ void applyThesisPreset(Options& options) {
   synthesis.edgeGain = 1.0F;
   synthesis.patchmatchIterations = {6, 4};
   synthesis.optIterations = {4, 3, 2};
+  synthesis.searchEffort = SearchEffort::kEverywhere;
   options.motionModel = MotionModel::kNormals;
   options.newMaterial = NewMaterial::kPlain;
   synthesis.thinParts = ThinParts::kFringe;

@@ -14,18 +14,30 @@ ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx,
     : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx), rules_(rules) {
   const std::size_t volume = offset(0, 0, frameCount);
   assert(volume <= std::numeric_limits<std::uint32_t>::max());  // candidates are 32-bit indices
-  pixels_.resize(volume);
+  texels_.resize(padded(-kMarginPx, -kMarginPx, frameCount));
+  extentsPx_.resize(volume);
+  directions_.resize(volume);
   segments_.resize(volume, Segment::kOutside);
   if (!edgeGuideTellsDistance(rules)) distancesPx_.resize(volume);
+}
+
+template <typename Set>
+void ExemplarLevel::setTexels(int x, int y, int k, const Set& set) {
+  const int left = x == 0 ? -kMarginPx : x;
+  const int right = x == size_.width - 1 ? x + kMarginPx : x;
+  const int top = y == 0 ? -kMarginPx : y;
+  const int bottom = y == size_.height - 1 ? y + kMarginPx : y;
+  for (int py = top; py <= bottom; ++py) {
+    for (int px = left; px <= right; ++px) set(texels_[padded(px, py, k)]);
+  }
 }
 
 void ExemplarLevel::setColor(int frame, const Image<Lab>& color) {
   assert(color.size() == size_);
   forEachRow(size_.height, [&](int y) {
     for (int x = 0; x < size_.width; ++x) {
-      const Lab lab = color(x, y);
-      Lanes& pixel = pixels_[offset(x, y, frame)];
-      pixel.low = Float4{lab.l, lab.a, lab.b, pixel[kEdge]};
+      const FixedLab fixed = FixedLab::of(color(x, y));
+      setTexels(x, y, frame, [&](Texel& texel) { texel.color = fixed; });
     }
   });
 }
@@ -36,26 +48,37 @@ void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
       distancesPx_.empty() ? Image<float>{} : modulationDistances(guides, borderWidthPx_, rules_);
   forEachRow(size_.height, [&](int y) {
     for (int x = 0; x < size_.width; ++x) {
+      const std::size_t i = offset(x, y, frame);
+      const std::int16_t edge =
+          toFixed(shapeChannel(guides, x, y, borderWidthPx_, rules_), kEdgeSteps);
+      setTexels(x, y, frame, [&](Texel& texel) { texel.guides.edge = edge; });
+      extentsPx_[i] = {guides.extForward(x, y), guides.extBackward(x, y)};
       const Vec2 direction = guides.direction(x, y);
-      Lanes& pixel = pixels_[offset(x, y, frame)];
-      pixel.low[kEdge] = shapeChannel(guides, x, y, borderWidthPx_, rules_);
-      pixel.high = Float4{guides.extForward(x, y), guides.extBackward(x, y), direction.x,
-                          direction.y};  // extents in px until `finish`
-      segments_[offset(x, y, frame)] = guides.segment(x, y, borderWidthPx_);
-      if (!distancesPx.empty()) distancesPx_[offset(x, y, frame)] = distancesPx(x, y);
+      directions_[i] = {toFixed(direction.x, kDirectionSteps),
+                        toFixed(direction.y, kDirectionSteps)};
+      segments_[i] = guides.segment(x, y, borderWidthPx_);
+      if (!distancesPx.empty()) distancesPx_[i] = distancesPx(x, y);
     }
   });
 }
 
 void ExemplarLevel::finish(const ExtentScale& extentScale) {
   comparesAges_ = extentScale.isOfAges();
+  extentSteps_ = extentScale.stepsPerUnit();
   forEachRow(size_.height * frameCount_, [&](int row) {
-    Lanes* pixels = pixels_.data() + offset(0, row % size_.height, row / size_.height);
+    const int y = row % size_.height;
+    const int k = row / size_.height;
     for (int x = 0; x < size_.width; ++x) {
-      const Float4 v = pixels[x].high;
-      pixels[x].high = Float4{extentScale(v[0]), extentScale(v[1]), v[2], v[3]};
+      const Vec2 extentPx = extentsPx_[offset(x, y, k)];
+      const std::int16_t forward = toFixed(extentScale(extentPx.x), extentSteps_);
+      const std::int16_t backward = toFixed(extentScale(extentPx.y), extentSteps_);
+      setTexels(x, y, k, [&](Texel& texel) {
+        texel.guides.extForward = forward;
+        texel.guides.extBackward = backward;
+      });
     }
   });
+  std::vector<Vec2>().swap(extentsPx_);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     if (segments_[i] == Segment::kOutside) continue;
     (segments_[i] == Segment::kBorder ? borderPixels_ : interiorPixels_)
@@ -63,6 +86,32 @@ void ExemplarLevel::finish(const ExtentScale& extentScale) {
     if (!rules_.hardSegments) allPixels_.push_back(static_cast<std::uint32_t>(i));
   }
   segmented_ = !borderPixels_.empty() && !interiorPixels_.empty();
+}
+
+float ExemplarLevel::value(int x, int y, int k, Channel channel) const {
+  const Texel& there = texel(x, y, k);
+  switch (channel) {
+    case kLightness:
+      return static_cast<float>(there.color.l) / kColorSteps;
+    case kGreenRed:
+      return static_cast<float>(there.color.a) / kColorSteps;
+    case kBlueYellow:
+      return static_cast<float>(there.color.b) / kColorSteps;
+    case kEdge:
+      return static_cast<float>(there.guides.edge) / kEdgeSteps;
+    case kExtForward:
+      return static_cast<float>(there.guides.extForward) / extentSteps_;
+    case kExtBackward:
+      return static_cast<float>(there.guides.extBackward) / extentSteps_;
+    case kDirectionX:
+      return direction(x, y, k).x;
+    case kDirectionY:
+      return direction(x, y, k).y;
+    case kChannelCount:
+      break;
+  }
+  assert(false);
+  return 0.0F;
 }
 
 const std::vector<std::uint32_t>& ExemplarLevel::candidates(Segment segment) const {

@@ -1,6 +1,8 @@
 #include "fluidymation/synthesis/merge.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/vote.h"
@@ -8,28 +10,38 @@
 namespace fluidymation {
 
 NearestNeighborField merge(const SearchProblem& problem, const DistanceWeights& weights,
-                           const NearestNeighborField& upscaled,
-                           const NearestNeighborField& downscaled, TargetLevel& target) {
+                           NearestNeighborField upscaled, const NearestNeighborField& downscaled,
+                           TargetLevel& target) {
   assert(&problem.target == &target);  // the errors have to see the pictures written here
-  target.picture = vote(problem.exemplar, target.segment, upscaled).color;
-  const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled);
-
-  // Where no window of the previous frame reaches, its picture is continued by the other one.
-  const VotedPicture remembered = vote(problem.exemplar, target.segment, downscaled);
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  // Where the fields agree there is nothing to decide.
+  Image<float> bounds(target.size());
   forEachRow(target.size().height, [&](int y) {
     for (int x = 0; x < target.size().width; ++x) {
-      if (remembered.exists(x, y) != 0) target.picture(x, y) = remembered.color(x, y);
+      if (!areAlike(upscaled(x, y), downscaled(x, y))) bounds(x, y) = kNever;
     }
   });
-  const Image<float> downscaledErrors = matchErrors(problem, weights, downscaled);
+  target.picture = vote(problem.exemplar, target.segment, upscaled);
+  const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled, &bounds);
 
-  NearestNeighborField merged = upscaled.clone();
-  forEachRow(merged.height(), [&](int y) {
-    for (int x = 0; x < merged.width(); ++x) {
-      if (downscaledErrors(x, y) < upscaledErrors(x, y)) merged(x, y) = downscaled(x, y);
+  // Where no window of the previous frame reaches, its picture is continued by the other one.
+  forEachRow(target.size().height, [&](int y) {
+    for (int x = 0; x < target.size().width; ++x) {
+      if (target.previous(x, y).exists()) target.picture(x, y) = target.previous(x, y);
     }
   });
-  return merged;
+  forEachRow(target.size().height, [&](int y) {
+    std::transform(bounds.row(y), bounds.row(y) + bounds.width(), upscaledErrors.row(y),
+                   bounds.row(y), [](float bound, float error) { return std::min(bound, error); });
+  });
+  const Image<float> downscaledErrors = matchErrors(problem, weights, downscaled, &bounds);
+
+  forEachRow(upscaled.height(), [&](int y) {
+    for (int x = 0; x < upscaled.width(); ++x) {
+      if (downscaledErrors(x, y) < upscaledErrors(x, y)) upscaled(x, y) = downscaled(x, y);
+    }
+  });
+  return upscaled;
 }
 
 }  // namespace fluidymation

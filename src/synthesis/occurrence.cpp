@@ -11,6 +11,75 @@ namespace {
 /// A window reaches kPatchRadius from its centre, and so does the box of each of its positions.
 constexpr int kReachPx = 2 * kPatchRadius;
 
+/// Columns of a map that are filtered along y at a time: their rows stay in the second-level cache.
+constexpr int kChunkColumns = 32;
+
+/// Sums over kPatchSize neighbours, twice, along a line of vectors of integers, in place: the box
+/// of each position first, then the positions of each window. What lies past the ends counts
+/// nothing.
+class TwoBoxes {
+ public:
+  /// @param length  of the vectors.
+  explicit TwoBoxes(std::size_t length)
+      : length_(length),
+        in_(kSlots * length),
+        box_(kSlots * length),
+        boxRun_(length),
+        run_(length) {}
+
+  /// @param line   the first of `count` vectors.
+  /// @param step   integers from one vector to the next.
+  void along(std::int32_t* line, int count, std::size_t step) {
+    // A vector is read in step i, its box known kPatchRadius steps later, and its sum of boxes
+    // another kPatchRadius: by then the vector itself is not needed any more.
+    for (int i = 0; i < count + kReachPx; ++i) {
+      const std::int32_t* in = i < count ? line + static_cast<std::size_t>(i) * step : nullptr;
+      addBox(i, in);
+      const int centre = i - kPatchRadius;
+      addSum(centre, centre >= 0 && centre < count);
+      if (i >= kReachPx) {
+        std::copy(run_.begin(), run_.end(), line + static_cast<std::size_t>(i - kReachPx) * step);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kSlots = kPatchSize;  ///< as many as a sum has to forget again
+
+  static std::size_t slot(int i) { return static_cast<std::size_t>((i + kSlots) % kSlots); }
+
+  /// boxRun_ becomes the box that ends with vector i, null: zeros.
+  void addBox(int i, const std::int32_t* in) {
+    std::int32_t* const old = in_.data() + slot(i) * length_;  // of kPatchSize steps ago
+    if (in == nullptr) {
+      for (std::size_t l = 0; l < length_; ++l) boxRun_[l] -= old[l];
+      std::fill(old, old + length_, 0);
+      return;
+    }
+    for (std::size_t l = 0; l < length_; ++l) {
+      boxRun_[l] += in[l] - old[l];
+      old[l] = in[l];
+    }
+  }
+
+  /// run_ becomes the sum of boxes that ends with the one at `centre`.
+  void addSum(int centre, bool counts) {
+    std::int32_t* const old = box_.data() + slot(centre) * length_;
+    const std::int32_t use = counts ? 1 : 0;
+    for (std::size_t l = 0; l < length_; ++l) {
+      const std::int32_t box = use * boxRun_[l];
+      run_[l] += box - old[l];
+      old[l] = box;
+    }
+  }
+
+  std::size_t length_;
+  std::vector<std::int32_t> in_;   ///< the last kSlots vectors
+  std::vector<std::int32_t> box_;  ///< the last kSlots boxes
+  std::vector<std::int32_t> boxRun_;
+  std::vector<std::int32_t> run_;
+};
+
 /// Number of window positions p in [0, length) within kPatchRadius of both `centre` and `other`:
 /// the weight of a use at `other` in the window sum at `centre`, along one axis.
 int sharedPositions(int centre, int other, int length) {
@@ -52,15 +121,23 @@ void OccurrenceMap::add(const Match& match, int delta) {
 }
 
 std::int32_t OccurrenceMap::contribution(const Match& used, const Match& centre) const {
-  if (std::abs(used.frame - centre.frame) > radiusFrames_) return 0;
   const auto clampedX = [&](const Match& m) {
     return std::clamp(m.nearestX(), 0, size_.width - 1);
   };
   const auto clampedY = [&](const Match& m) {
     return std::clamp(m.nearestY(), 0, size_.height - 1);
   };
-  return sharedPositions(clampedX(centre), clampedX(used), size_.width) *
-         sharedPositions(clampedY(centre), clampedY(used), size_.height);
+  return contribution(clampedX(used), clampedY(used), used.frame, clampedX(centre),
+                      clampedY(centre), centre.frame);
+}
+
+std::int32_t OccurrenceMap::contribution(int usedX, int usedY, int usedFrame, int x, int y,
+                                         int frame) const {
+  if (std::abs(usedX - x) > kReachPx || std::abs(usedY - y) > kReachPx ||
+      std::abs(usedFrame - frame) > radiusFrames_) {
+    return 0;
+  }
+  return sharedPositions(x, usedX, size_.width) * sharedPositions(y, usedY, size_.height);
 }
 
 void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {
@@ -74,62 +151,36 @@ void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {
 }
 
 void OccurrenceMap::filter() {
-  spreadOverFrames();
-  // The box of each position, then the positions of each window.
-  for (int pass = 0; pass < 2; ++pass) {
-    boxAlongX();
-    boxAlongY();
-  }
-}
-
-void OccurrenceMap::spreadOverFrames() {
-  forEachRow(size_.height, [&](int y) {
-    std::vector<std::int32_t> prefix(static_cast<std::size_t>(frameCount_) + 1);
-    for (int x = 0; x < size_.width; ++x) {
-      std::int32_t* run = sums_.data() + index(x, y, 0);
-      for (int k = 0; k < frameCount_; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        prefix[i + 1] = prefix[i] + run[k];
-      }
-      for (int k = 0; k < frameCount_; ++k) {
-        const auto end = static_cast<std::size_t>(std::min(k + radiusFrames_ + 1, frameCount_));
-        const auto begin = static_cast<std::size_t>(std::max(k - radiusFrames_, 0));
-        run[k] = prefix[end] - prefix[begin];
-      }
-    }
-  });
-}
-
-void OccurrenceMap::boxAlongX() {
-  scratch_.resize(sums_.size());
   const auto frames = static_cast<std::size_t>(frameCount_);
+  const std::size_t row = index(0, 1, 0);
   forEachRow(size_.height, [&](int y) {
-    for (int x = 0; x < size_.width; ++x) {
-      std::int32_t* out = scratch_.data() + index(x, y, 0);
-      std::fill(out, out + frames, 0);
-      for (int sx = std::max(x - kPatchRadius, 0);
-           sx <= std::min(x + kPatchRadius, size_.width - 1); ++sx) {
-        const std::int32_t* in = sums_.data() + index(sx, y, 0);
-        for (std::size_t k = 0; k < frames; ++k) out[k] += in[k];
-      }
-    }
+    spreadOverFrames(y);
+    TwoBoxes(frames).along(sums_.data() + index(0, y, 0), size_.width, frames);
   });
-  sums_.swap(scratch_);
+  const int chunks = (size_.width + kChunkColumns - 1) / kChunkColumns;
+  parallelFor(chunks, 1, [&](int chunk) {
+    const int first = chunk * kChunkColumns;
+    const int columns = std::min(kChunkColumns, size_.width - first);
+    TwoBoxes(frames * static_cast<std::size_t>(columns))
+        .along(sums_.data() + index(first, 0, 0), size_.height, row);
+  });
 }
 
-void OccurrenceMap::boxAlongY() {
-  scratch_.resize(sums_.size());
-  const std::size_t rowLength = index(0, 1, 0);
-  forEachRow(size_.height, [&](int y) {
-    std::int32_t* out = scratch_.data() + index(0, y, 0);
-    std::fill(out, out + rowLength, 0);
-    for (int sy = std::max(y - kPatchRadius, 0); sy <= std::min(y + kPatchRadius, size_.height - 1);
-         ++sy) {
-      const std::int32_t* in = sums_.data() + index(0, sy, 0);
-      for (std::size_t i = 0; i < rowLength; ++i) out[i] += in[i];
+void OccurrenceMap::spreadOverFrames(int y) {
+  std::vector<std::int32_t> prefix(static_cast<std::size_t>(frameCount_) + 1);
+  for (int x = 0; x < size_.width; ++x) {
+    std::int32_t* run = sums_.data() + index(x, y, 0);
+    for (int k = 0; k < frameCount_; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      prefix[i + 1] = prefix[i] + run[k];
     }
-  });
-  sums_.swap(scratch_);
+    if (prefix.back() == 0) continue;
+    for (int k = 0; k < frameCount_; ++k) {
+      const auto end = static_cast<std::size_t>(std::min(k + radiusFrames_ + 1, frameCount_));
+      const auto begin = static_cast<std::size_t>(std::max(k - radiusFrames_, 0));
+      run[k] = prefix[end] - prefix[begin];
+    }
+  }
 }
 
 double OccurrenceMap::meanOfUniformUse(const ExemplarLevel& exemplar,
@@ -147,6 +198,46 @@ double OccurrenceMap::meanOfUniformUse(const ExemplarLevel& exemplar,
     sum += map.windowSum(p.x, p.y, p.frame);
   }
   return sum / static_cast<double>(pixels.size()) / kPatchArea;
+}
+
+UseChanges::UseChanges(Size size, int frameCount, int radiusFrames)
+    : size_(size),
+      plane_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)),
+      framesPerGroup_(framesPerGroup(frameCount, radiusFrames)),
+      groups_((frameCount + framesPerGroup_ - 1) / framesPerGroup_),
+      reaches_(static_cast<std::size_t>(frameCount)),
+      sums_(index(0, 0, groups_)) {
+  for (int k = 0; k < frameCount; ++k) {
+    const int first = std::max(k - radiusFrames, 0);
+    const int last = std::min(k + std::min(radiusFrames, frameCount), frameCount - 1);
+    Reach& reach = reaches_[static_cast<std::size_t>(k)];
+    reach.firstGroup = first / framesPerGroup_;
+    reach.groups = last / framesPerGroup_ - reach.firstGroup + 1;
+    for (int g = 0; g < reach.groups; ++g) {
+      const int begin = (reach.firstGroup + g) * framesPerGroup_;
+      const int end = std::min(begin + framesPerGroup_, frameCount);
+      const int within = std::min(end, last + 1) - std::max(begin, first);
+      reach.share[static_cast<std::size_t>(g)] =
+          static_cast<float>(within) / static_cast<float>(end - begin);
+    }
+  }
+}
+
+void UseChanges::add(const Match& match, int delta) {
+  const int cx = std::clamp(match.nearestX(), 0, size_.width - 1);
+  const int cy = std::clamp(match.nearestY(), 0, size_.height - 1);
+  const int firstX = std::max(cx - kReachPx, 0);
+  const int lastX = std::min(cx + kReachPx, size_.width - 1);
+  std::array<std::int32_t, 2 * kReachPx + 1> weights{};
+  std::size_t count = 0;
+  for (int x = firstX; x <= lastX; ++x) {
+    weights[count++] = delta * sharedPositions(x, cx, size_.width);
+  }
+  for (int y = std::max(cy - kReachPx, 0); y <= std::min(cy + kReachPx, size_.height - 1); ++y) {
+    const int rowWeight = sharedPositions(y, cy, size_.height);
+    std::int32_t* sums = sums_.data() + index(firstX, y, match.frame / framesPerGroup_);
+    for (std::size_t i = 0; i < count; ++i) sums[i] += rowWeight * weights[i];
+  }
 }
 
 ExpectedUse::ExpectedUse(const ExemplarLevel& exemplar, int radiusFrames)

@@ -1,16 +1,16 @@
 #include "fluidymation/synthesis/patch_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
-#include "fluidymation/synthesis/sampling.h"
+#include "synthesis/patch_kernels.h"
+#include "synthesis/sample_order.h"
 
 namespace fluidymation {
 namespace {
-
-/// A rotated window reaches sqrt(2) * radius from its centre; bilinear sampling one pixel further.
-constexpr float kWindowReachPx = 1.4143F * kPatchRadius;
 
 /// |tan| of the angle between two directions of any length; 0 where one has none.
 float misalignment(Vec2 a, Vec2 b) {
@@ -20,114 +20,131 @@ float misalignment(Vec2 a, Vec2 b) {
   return sine > 0.0F ? kLargestMisalignment : 0.0F;
 }
 
-float sum(const Lanes& v) {
-  const Float4 s = v.low + v.high;
-  return (s[0] + s[1]) + (s[2] + s[3]);
+/// The exemplar's direction between pixels: bilinear, the edge repeats. Not a unit vector.
+Vec2 directionAt(const ExemplarLevel& exemplar, int frame, float x, float y) {
+  const float cx = std::clamp(x, 0.0F, static_cast<float>(exemplar.size().width - 1));
+  const float cy = std::clamp(y, 0.0F, static_cast<float>(exemplar.size().height - 1));
+  const int x0 = static_cast<int>(cx);
+  const int y0 = static_cast<int>(cy);
+  const int x1 = std::min(x0 + 1, exemplar.size().width - 1);
+  const int y1 = std::min(y0 + 1, exemplar.size().height - 1);
+  const float fx = cx - static_cast<float>(x0);
+  const float fy = cy - static_cast<float>(y0);
+  return (1.0F - fy) * ((1.0F - fx) * exemplar.direction(x0, y0, frame) +
+                        fx * exemplar.direction(x1, y0, frame)) +
+         fy * ((1.0F - fx) * exemplar.direction(x0, y1, frame) +
+               fx * exemplar.direction(x1, y1, frame));
 }
+
+/// A weight of squared values, of squared steps.
+float perStep(float weight, float stepsPerUnit) { return weight / (stepsPerUnit * stepsPerUnit); }
 
 }  // namespace
 
+PatchDistance::PatchDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
+                             const DistanceWeights& weights)
+    : exemplar_(exemplar), target_(target), kernels_(bestKernels()), weights_(weights) {
+  for (std::size_t i = 0; i < kPatchArea; ++i) {
+    offsets_[i] = sampleOffsetY(i) * target.size().width + sampleOffsetX(i);
+  }
+}
+
 void PatchDistance::gather(int x, int y, TargetWindow& window) const {
-  int colored = 0;
-  int remembered = 0;
-  for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
-    for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx) {
-      const int qx = x + dx;
-      const int qy = y + dy;
-      if (!target_.segment.contains(qx, qy)) continue;
-      colored += target_.inside(qx, qy) ? 1 : 0;
-      remembered += target_.hasPrevious(qx, qy) != 0 ? 1 : 0;
-    }
-  }
-  assert(colored > 0);
-  const float colorWeight = weights_.color / static_cast<float>(kColorChannels * colored);
-  const float previousWeight = remembered == 0
-                                   ? 0.0F
-                                   : target_.modulation(x, y) * weights_.prev /
-                                         static_cast<float>(kColorChannels * remembered);
-  const float distWeight = weights_.dist / static_cast<float>(kPatchArea);
-  const float flowWeight = weights_.flow / static_cast<float>(kPatchArea);
-  const bool directed = weights_.dir != 0.0F;
-  const float directionWeight = weights_.dir / static_cast<float>(colored);
-
+  const Size size = target_.size();
+  constexpr auto kColors = static_cast<float>(kColorChannels);
+  constexpr auto kArea = static_cast<float>(kPatchArea);
+  const WindowWeights weights{
+      perStep(weights_.color / kColors, kColorSteps),
+      perStep(target_.modulation(x, y) * weights_.prev / kColors, kColorSteps),
+      perStep(weights_.dist / kArea, kEdgeSteps),
+      perStep(weights_.flow / kArea, exemplar_.extentSteps())};
   window.direction = target_.direction(x, y);
-  window.constant = 0.0F;
-  std::size_t i = 0;
-  for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
-    for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx, ++i) {
-      const int qx = std::clamp(x + dx, 0, target_.size().width - 1);
-      const int qy = std::clamp(y + dy, 0, target_.size().height - 1);
-      const bool inImage = qx == x + dx && qy == y + dy;
-      const float a = inImage && target_.inside(qx, qy) ? colorWeight : 0.0F;
-      const float b = inImage && target_.hasPrevious(qx, qy) != 0 ? previousWeight : 0.0F;
-      const float both = a + b;
-      const Lab t = target_.picture(qx, qy);
-      const Lab p = target_.previous(qx, qy);
-      const float share = both > 0.0F ? b / both : 0.0F;
-      const Lab blend{t.l + share * (p.l - t.l), t.a + share * (p.a - t.a),
-                      t.b + share * (p.b - t.b)};
-      window.constant +=
-          a * share *
-          ((t.l - p.l) * (t.l - p.l) + (t.a - p.a) * (t.a - p.a) + (t.b - p.b) * (t.b - p.b));
-      const float extForward = target_.extForward(qx, qy);
-      const float extBackward = target_.extBackward(qx, qy);
-      window.value[i].low = Float4{blend.l, blend.a, blend.b, target_.edge(qx, qy)};
-      const Vec2 direction = directed ? target_.direction(qx, qy) : Vec2{};
-      window.value[i].high = Float4{extForward, extBackward, direction.x, direction.y};
-      window.swappedHigh[i] = Float4{extBackward, extForward, direction.x, direction.y};
-      window.weight[i].low = Float4{both, both, both, distWeight};
-      window.weight[i].high = Float4{flowWeight, flowWeight, 0.0F, 0.0F};
-      if (directed) {
-        window.directionWeight[i] = inImage && target_.inside(qx, qy) ? directionWeight : 0.0F;
-      }
-    }
+  if (x >= kPatchRadius && y >= kPatchRadius && x < size.width - kPatchRadius &&
+      y < size.height - kPatchRadius) {
+    kernels_.gather(
+        {&target_.picture(x, y), &target_.previous(x, y), &target_.guides(x, y), offsets_.data()},
+        weights, window);
+  } else {
+    gatherAtEdge(x, y, weights, window);
   }
+  if (weights_.dir != 0.0F) gatherDirections(x, y, window);
 }
 
-float PatchDistance::operator()(const TargetWindow& window, const Match& match,
-                                float stopAt) const {
-  return weights_.dir == 0.0F ? compare<false>(window, match, stopAt)
-                              : compare<true>(window, match, stopAt);
+void PatchDistance::gatherAtEdge(int x, int y, const WindowWeights& weights,
+                                 TargetWindow& window) const {
+  // A copy in which the edge repeats, and what lies beyond has no colour.
+  std::array<FixedLab, TargetWindow::kSamples> picture;
+  std::array<FixedLab, TargetWindow::kSamples> previous;
+  std::array<FixedGuides, TargetWindow::kSamples> guides;
+  std::array<std::int32_t, TargetWindow::kSamples> offsets{};
+  for (std::size_t i = 0; i < kPatchArea; ++i) {
+    const int qx = x + sampleOffsetX(i);
+    const int qy = y + sampleOffsetY(i);
+    offsets[i] = static_cast<std::int32_t>(i);
+    guides[i] = target_.guides.clamped(qx, qy);
+    if (!target_.segment.contains(qx, qy)) continue;
+    picture[i] = target_.picture(qx, qy);
+    previous[i] = target_.previous(qx, qy);
+  }
+  kernels_.gather({picture.data(), previous.data(), guides.data(), offsets.data()}, weights,
+                  window);
 }
 
-template <bool kDirected>
-float PatchDistance::compare(const TargetWindow& window, const Match& match, float stopAt) const {
-  const Size size = exemplar_.size();
-  const Lanes* frame = exemplar_.frame(match.frame);
+void PatchDistance::gatherDirections(int x, int y, TargetWindow& window) const {
+  int inside = 0;
+  for (std::size_t i = 0; i < kPatchArea; ++i) {
+    const int qx = x + sampleOffsetX(i);
+    const int qy = y + sampleOffsetY(i);
+    const bool counts = target_.segment.contains(qx, qy) && target_.inside(qx, qy);
+    window.directions[i] = target_.direction.clamped(qx, qy);
+    window.directionWeight[i] = counts ? weights_.dir : 0.0F;
+    inside += counts ? 1 : 0;
+  }
+  assert(inside > 0);
+  for (float& weight : window.directionWeight) weight /= static_cast<float>(inside);
+}
+
+float PatchDistance::operator()(const TargetWindow& window, const Match& match, float stopAt,
+                                int* samples) const {
   const Vec2 sourceDirection = exemplar_.direction(match.nearestX(), match.nearestY(), match.frame);
   const bool opposite =
       !exemplar_.comparesAges() && isOpposite(window.direction, sourceDirection, match.rotation);
-
-  // Window offset (dx, dy) lies at (x, y) + dx * right + dy * down in the source.
-  const Vec2 right = match.rotation.inverse().apply({1.0F, 0.0F});
-  const Vec2 down = match.rotation.inverse().apply({0.0F, 1.0F});
-  const bool inside = match.x >= kWindowReachPx && match.y >= kWindowReachPx &&
-                      match.x < static_cast<float>(size.width - 1) - kWindowReachPx &&
-                      match.y < static_cast<float>(size.height - 1) - kWindowReachPx;
-  float distance = window.constant;
-  std::size_t i = 0;
-  for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
-    Lanes row;
-    float directions = 0.0F;
-    for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx, ++i) {
-      const float sx = match.x + static_cast<float>(dx) * right.x + static_cast<float>(dy) * down.x;
-      const float sy = match.y + static_cast<float>(dx) * right.y + static_cast<float>(dy) * down.y;
-      const Lanes s =
-          inside ? sampleInside(frame, size.width, sx, sy) : sampleClamped(frame, size, sx, sy);
-      const Float4 low = s.low - window.value[i].low;
-      const Float4 high = s.high - (opposite ? window.swappedHigh[i] : window.value[i].high);
-      row.low += low * low * window.weight[i].low;
-      row.high += high * high * window.weight[i].high;
-      if constexpr (kDirected) {
-        const Vec2 turned = match.rotation.apply({s.high[2], s.high[3]});
-        const Float4& wanted = window.value[i].high;
-        directions += window.directionWeight[i] * misalignment(turned, {wanted[2], wanted[3]});
-      }
-    }
-    distance += sum(row) + directions;
-    if (distance >= stopAt) return distance;
-  }
+  int compared = 0;
+  float distance = kernels_.distance(window, opposite ? window.swapped.data() : window.value.data(),
+                                     sourceWindow(exemplar_, match), stopAt, compared);
+  if (weights_.dir != 0.0F && distance < stopAt) distance += directionTerm(window, match);
+  if (samples != nullptr) *samples = compared;
   return distance;
+}
+
+std::array<float, 2> PatchDistance::ofBothWays(const TargetWindow& window, const Match& aligned,
+                                               float stopAt, int& samples) const {
+  std::array<float, 2> distances =
+      kernels_.bothDistances(window, window.value.data(),
+                             exemplar_.comparesAges() ? window.value.data() : window.swapped.data(),
+                             sourceWindow(exemplar_, aligned), stopAt, samples);
+  if (weights_.dir != 0.0F) {
+    if (distances[0] < stopAt) distances[0] += directionTerm(window, aligned);
+    if (distances[1] < stopAt) {
+      Match opposite = aligned;
+      opposite.rotation = aligned.rotation.opposite();
+      distances[1] += directionTerm(window, opposite);
+    }
+  }
+  return distances;
+}
+
+float PatchDistance::directionTerm(const TargetWindow& window, const Match& match) const {
+  const Rotation toSource = match.rotation.inverse();
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < kPatchArea; ++i) {
+    if (window.directionWeight[i] == 0.0F) continue;
+    const Vec2 away = toSource.apply({kSampleOffsets.x[i], kSampleOffsets.y[i]});
+    const Vec2 there = directionAt(exemplar_, match.frame, match.x + away.x, match.y + away.y);
+    sum +=
+        window.directionWeight[i] * misalignment(match.rotation.apply(there), window.directions[i]);
+  }
+  return sum;
 }
 
 }  // namespace fluidymation

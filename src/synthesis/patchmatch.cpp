@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fluidymation/core/parallel.h"
@@ -14,11 +15,17 @@
 namespace fluidymation {
 namespace {
 
+constexpr float kUnknown = -1.0F;  // a distance that has not been computed
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-Random randomAt(const SearchProblem& problem, int pass, int x, int y) {
-  return Random({problem.options.seed, problem.place.frame, problem.place.level, pass, x, y});
+Random randomOf(const SearchProblem& problem, int pass) {
+  return Random::ofPass(problem.options.seed, problem.place.frame, problem.place.level, pass);
 }
+
+/// Sweeps after which every neighbour's match has been tried once: a sweep takes matches from the
+/// neighbours on one side, the next one from those on the other. What is tried again without a
+/// change loses again.
+constexpr int kSweepsPerDirection = 2;
 
 /// The uniformity term of the patch distance, lambda Omega(window) / omega_best (thesis §2.5), per
 /// unit of a window sum, for each segment of the target.
@@ -70,116 +77,283 @@ std::vector<Tile> occupiedTiles(const TargetLevel& target) {
   return tiles;
 }
 
+/// How far a random place may lie from the best match along each axis: px, px, frames.
+struct SearchBox {
+  int x = 0;
+  int y = 0;
+  int frames = 0;
+};
+
+/// The whole exemplar first, then ever smaller by `patchmatchAlpha`, down to a pixel (§4.3).
+std::vector<SearchBox> searchBoxes(const SearchProblem& problem) {
+  const Size size = problem.exemplar.size();
+  const int frames = problem.exemplar.frameCount();
+  const int longest = std::max({size.width, size.height, frames});
+  std::vector<SearchBox> boxes;
+  for (float ratio = 1.0F; ratio * static_cast<float>(longest) >= 1.0F;
+       ratio *= problem.options.patchmatchAlpha) {
+    const auto reach = [ratio](int length) {
+      return static_cast<int>(ratio * static_cast<float>(length));
+    };
+    boxes.push_back({reach(size.width), reach(size.height), reach(frames)});
+  }
+  return boxes;
+}
+
+/// From a pixel to a neighbour that a sweep in row order has visited before it.
+struct Step {
+  int x;
+  int y;
+};
+constexpr std::array<Step, 4> kNeighbors{{{-1, 0}, {0, -1}, {-1, -1}, {1, -1}}};
+constexpr std::size_t kAdjacentNeighbors = 2;
+
+/// What a sweep reads and does not change.
+struct SweepInputs {
+  const SearchProblem& problem;
+  const PatchDistance& distance;
+  const UniformityScale& uniformity;
+  const NearestNeighborField& before;  ///< all matches as they were before the sweep
+  const OccurrenceMap& occurrence;     ///< all uses as of then
+  const std::vector<SearchBox>& boxes;
+  Random random;              ///< of the sweep, before any pixel's
+  const Mask& changing;       ///< where the sweep before this one changed the match
+  int pass = 0;               ///< number of the sweep within the level of the frame
+  std::size_t neighbors = 0;  ///< how many of kNeighbors are asked for their matches
+  bool everyNeighbor = true;  ///< false: neighbours' matches tried before are not tried again
+  bool drawsAtRandom = true;
+  bool everywhere = true;  ///< false: nothing is drawn for what no longer changes
+};
+
 /// One sweep of PatchMatch over one tile.
 class TileSweep {
  public:
-  /// @param before      all matches as they were before the sweep.
-  /// @param occurrence  all uses as of before the sweep.
-  /// @param ownChanges  scratch, all zero before and after: the tile's own changes meanwhile.
-  /// @param errors      patch distances, without uniformity term, of the matches in `nnf`.
-  TileSweep(const SearchProblem& problem, const PatchDistance& distance,
-            const UniformityScale& uniformity, const NearestNeighborField& before,
-            const OccurrenceMap& occurrence, OccurrenceMap& ownChanges, const Tile& tile,
-            NearestNeighborField& nnf, Image<float>& errors)
-      : problem_(problem),
-        distance_(distance),
-        uniformity_(uniformity),
-        before_(before),
-        occurrence_(occurrence),
-        ownChanges_(ownChanges),
+  /// @param ownChanges  scratch, all zero before and after: what the tile changes meanwhile.
+  /// Without
+  ///   it all pixels of a small target flock to what few use, in every sweep anew.
+  /// @param errors   patch distances, without uniformity term, of the matches in `nnf`, as far as
+  ///   they are known; kUnknown elsewhere.
+  /// @param changed  is set where the sweep changes the match; zero before.
+  TileSweep(const SweepInputs& in, const Tile& tile, UseChanges& ownChanges,
+            NearestNeighborField& nnf, Image<float>& errors, Mask& changed)
+      : in_(in),
         tile_(tile),
+        ownChanges_(ownChanges),
         nnf_(nnf),
-        errors_(errors) {}
+        errors_(errors),
+        changed_(changed),
+        draws_(in.boxes.size()) {}
 
   /// Visits every pixel once, in row order or, on odd passes, in the opposite order.
-  void run(int pass, Candidates candidates) {
-    const int step = pass % 2 == 0 ? 1 : -1;
+  SearchStatistics run() {
+    const int step = in_.pass % 2 == 0 ? 1 : -1;
     const int firstY = step > 0 ? tile_.top : tile_.bottom - 1;
     const int firstX = step > 0 ? tile_.left : tile_.right - 1;
     for (int y = firstY; y >= tile_.top && y < tile_.bottom; y += step) {
       for (int x = firstX; x >= tile_.left && x < tile_.right; x += step) {
-        if (!problem_.target.inside(x, y)) continue;
+        if (!in_.problem.target.inside(x, y)) continue;
         visit(x, y);
-        propagate(x, y, x - step, y);
-        propagate(x, y, x, y - step);
-        if (candidates == Candidates::kAll) searchAtRandom(x, y, pass);
-        keepBest(x, y);
+        for (std::size_t i = 0; i < in_.neighbors; ++i) {
+          propagate(step * kNeighbors[i].x, step * kNeighbors[i].y);
+        }
+        if (isSearchedAtRandom()) searchAtRandom();
+        keepBest();
       }
     }
-    forgetOwnChanges();
+    if (in_.drawsAtRandom) takeBackChanges();
+    return statistics_;
   }
 
  private:
   void visit(int x, int y) {
-    segment_ = problem_.target.segment(x, y);
-    scale_ = uniformity_(segment_);
+    x_ = x;
+    y_ = y;
+    segment_ = in_.problem.target.segment(x, y);
+    scale_ = in_.uniformity(segment_);
     start_ = best_ = nnf_(x, y);
-    bestDistance_ = errors_(x, y);
-    bestTotal_ = bestDistance_ + uniformityTerm(best_);
-    distance_.gather(x, y, window_);
+    startX_ = start_.nearestX();
+    startY_ = start_.nearestY();
+    isReady_ = false;
   }
 
-  /// lambda Omega / omega_best, of the uses by all other pixels. What the visited pixel takes now
-  /// is in the counts, what it might take is not; charged for that, a match loses to any as good
-  /// that lies elsewhere, and small targets, whose omega_best is small, change for ever.
-  [[nodiscard]] float uniformityTerm(const Match& match) const {
-    const std::int32_t uses = occurrence_.windowSum(match) + ownChanges_.windowSum(match);
-    return scale_ * static_cast<float>(uses - occurrence_.contribution(start_, match));
+  /// What comparing takes, made only for pixels that have something to compare.
+  void prepare() {
+    if (isReady_) return;
+    isReady_ = true;
+    in_.distance.gather(x_, y_, window_);
+    bestDistance_ = errors_(x_, y_);
+    if (bestDistance_ == kUnknown) {
+      int samples = 0;
+      bestDistance_ = in_.distance(window_, start_, kNever, &samples);
+      count(1, samples);
+      errors_(x_, y_) = bestDistance_;
+    }
+    bestTotal_ = bestDistance_ + uniformityTerm(startX_, startY_, start_.frame);
   }
 
-  void tryMatch(const Match& candidate) {
-    const float uniformityOfCandidate = uniformityTerm(candidate);
-    if (uniformityOfCandidate >= bestTotal_) return;
-    const float distance = distance_(window_, candidate, bestTotal_ - uniformityOfCandidate);
-    if (!(distance + uniformityOfCandidate < bestTotal_)) return;  // nor a NaN
+  /// lambda Omega / omega_best, of the uses by all other pixels. The visited pixel's own match is
+  /// in the counts, what it might take is not; charged for that, a match loses to any as good that
+  /// lies elsewhere, and small targets, whose omega_best is small, change for ever.
+  [[nodiscard]] float uniformityTerm(int sx, int sy, int frame) const {
+    const std::int32_t own =
+        in_.occurrence.contribution(startX_, startY_, start_.frame, sx, sy, frame);
+    const auto others = static_cast<float>(in_.occurrence.windowSum(sx, sy, frame) - own);
+    return scale_ * (in_.drawsAtRandom ? others + ownChanges_.windowSum(sx, sy, frame) : others);
+  }
+
+  /// @param sx  nearest pixel of the candidate, in the image.
+  void tryMatch(const Match& candidate, int sx, int sy) {
+    prepare();
+    const float uniformity = uniformityTerm(sx, sy, candidate.frame);
+    if (uniformity >= bestTotal_) return;
+    int samples = 0;
+    const float distance = in_.distance(window_, candidate, bestTotal_ - uniformity, &samples);
+    count(1, samples);
+    keepIfBetter(candidate, distance, uniformity);
+  }
+
+  bool keepIfBetter(const Match& candidate, float distance, float uniformity) {
+    if (!(distance + uniformity < bestTotal_)) return false;  // nor a NaN
     best_ = candidate;
     bestDistance_ = distance;
-    bestTotal_ = distance + uniformityOfCandidate;
+    bestTotal_ = distance + uniformity;
+    return true;
   }
 
-  /// Tries to continue the neighbour's patch (§2.2); its position moves by R_-theta(step).
-  void propagate(int x, int y, int neighborX, int neighborY) {
-    if (!before_.contains(neighborX, neighborY)) return;
-    const Match& neighbor = tile_.contains(neighborX, neighborY) ? nnf_(neighborX, neighborY)
-                                                                 : before_(neighborX, neighborY);
+  void count(int distances, int samples) {
+    statistics_.distances += static_cast<std::uint64_t>(distances);
+    statistics_.samples += static_cast<std::uint64_t>(distances * samples);
+  }
+
+  /// Tries to continue a neighbour's patch (§2.2); its position moves by R_-theta(step).
+  void propagate(int dx, int dy) {
+    const int nx = x_ + dx;
+    const int ny = y_ + dy;
+    if (!nnf_.contains(nx, ny)) return;
+    const bool isOwn = tile_.contains(nx, ny);
+    // Beyond the tile's edge a change is seen one sweep late, and has to be tried when it is
+    const bool isNew = !isOwn || in_.changing(nx, ny) != 0 || changed_(nx, ny) != 0;
+    if (!in_.everyNeighbor && !isNew) return;
+    const Match& neighbor = isOwn ? nnf_(nx, ny) : in_.before(nx, ny);
     if (!neighbor.exists()) return;
-    const Match candidate =
-        neighbor.moved({static_cast<float>(x - neighborX), static_cast<float>(y - neighborY)});
-    if (problem_.exemplar.isLegal(candidate, segment_)) tryMatch(candidate);
-  }
-
-  /// Draws from boxes that shrink round the best match so far (§4.3); of the rotations only those
-  /// that align the flows, the same way and opposite, are tried.
-  void searchAtRandom(int x, int y, int pass) {
-    Random random = randomAt(problem_, pass, x, y);
-    const ExemplarLevel& exemplar = problem_.exemplar;
-    const Size size = exemplar.size();
-    const int longest = std::max({size.width, size.height, exemplar.frameCount()});
-    const auto draw = [&random](int centre, float radius, int length) {
-      const int reach = static_cast<int>(radius);
-      return random.uniform(std::max(centre - reach, 0), std::min(centre + reach, length - 1));
-    };
-    for (float ratio = 1.0F; ratio * static_cast<float>(longest) >= 1.0F;
-         ratio *= problem_.options.patchmatchAlpha) {
-      const int sx = draw(best_.nearestX(), ratio * static_cast<float>(size.width), size.width);
-      const int sy = draw(best_.nearestY(), ratio * static_cast<float>(size.height), size.height);
-      const int k = draw(best_.frame, ratio * static_cast<float>(exemplar.frameCount()),
-                         exemplar.frameCount());
-      if (!exemplar.isLegal(sx, sy, k, segment_)) continue;
-      const Rotation aligned = alignedRotation(problem_, x, y, sx, sy, k);
-      const auto fx = static_cast<float>(sx);
-      const auto fy = static_cast<float>(sy);
-      tryMatch({fx, fy, k, aligned});
-      tryMatch({fx, fy, k, aligned.opposite()});
+    const Match candidate = neighbor.moved({static_cast<float>(-dx), static_cast<float>(-dy)});
+    if (areAlike(candidate, best_)) return;
+    const int sx = candidate.nearestX();
+    const int sy = candidate.nearestY();
+    if (in_.problem.exemplar.isLegal(sx, sy, candidate.frame, segment_)) {
+      tryMatch(candidate, sx, sy);
     }
   }
 
-  void keepBest(int x, int y) {
-    if (bestDistance_ == errors_(x, y) && sameSource(best_, start_)) return;
-    ownChanges_.add(start_, -1);
-    ownChanges_.add(best_, +1);
-    nnf_(x, y) = best_;
-    errors_(x, y) = bestDistance_;
+  [[nodiscard]] bool isSearchedAtRandom() const {
+    if (!in_.drawsAtRandom) return false;
+    return in_.everywhere || in_.changing(x_, y_) != 0 || !sameSource(best_, start_);
+  }
+
+  /// Draws from boxes that shrink round the best match so far (§4.3); of the rotations only those
+  /// that align the flows, the same way and opposite, are tried. All places are drawn at once, so
+  /// that their memory is at hand when their turn comes, and those that are left are drawn again
+  /// from the same random numbers where the centre has moved.
+  void searchAtRandom() {
+    const Pixel origin = in_.problem.place.origin;
+    Random random = in_.random.at(origin.x + x_, origin.y + y_);
+    for (Draw& draw : draws_) draw.number = random.next64();
+    drawFrom(0);
+    prepare();
+    std::size_t ahead = 0;
+    for (std::size_t i = 0; i < draws_.size(); ++i) {
+      for (; ahead < std::min(i + kAhead, draws_.size()); ++ahead) lookAt(draws_[ahead].place);
+      if (!tryPlace(draws_[i].place)) continue;
+      drawFrom(i + 1);
+      ahead = i + 1;
+    }
+  }
+
+  struct Place {
+    int x = 0;
+    int y = 0;
+    int frame = 0;
+    bool isLegal = false;
+  };
+  struct Draw {
+    std::uint64_t number = 0;
+    Place place;
+  };
+  static constexpr std::size_t kAhead = 3;  ///< windows asked for before their turn
+
+  void drawFrom(std::size_t first) {
+    for (std::size_t i = first; i < draws_.size(); ++i) {
+      Place& place = draws_[i].place;
+      place = placeIn(in_.boxes[i], draws_[i].number);
+      in_.problem.exemplar.prefetchSegment(place.x, place.y, place.frame);
+    }
+  }
+
+  void lookAt(Place& place) {
+    place.isLegal = in_.problem.exemplar.isLegal(place.x, place.y, place.frame, segment_);
+    if (!place.isLegal) return;
+    in_.problem.exemplar.prefetchWindow(place.x, place.y, place.frame);
+    in_.occurrence.prefetch(place.x, place.y, place.frame);
+  }
+
+  /// The place that a random number stands for in a box round the best match.
+  [[nodiscard]] Place placeIn(const SearchBox& box, std::uint64_t number) const {
+    const Size size = in_.problem.exemplar.size();
+    return {drawAround(best_.nearestX(), box.x, size.width, number >> 42U),
+            drawAround(best_.nearestY(), box.y, size.height, number >> 21U),
+            drawAround(best_.frame, box.frames, in_.problem.exemplar.frameCount(), number), false};
+  }
+
+  /// From [0, length), at most `reach` from the centre; by the lowest 21 bits of a random number.
+  static int drawAround(int centre, int reach, int length, std::uint64_t number) {
+    constexpr unsigned kBits = 21;
+    constexpr std::uint64_t kMask = (1U << kBits) - 1U;
+    const int low = std::max(centre - reach, 0);
+    const int high = std::min(centre + reach, length - 1);
+    const std::uint64_t range = static_cast<std::uint64_t>(high - low) + 1;
+    return low + static_cast<int>(((number & kMask) * range) >> kBits);
+  }
+
+  /// Tries both rotations at a place. @return  whether one of them is the best match now.
+  bool tryPlace(const Place& place) {
+    if (!place.isLegal) return false;
+    const float uniformity = uniformityTerm(place.x, place.y, place.frame);
+    if (uniformity >= bestTotal_) return false;
+    Match candidate{static_cast<float>(place.x), static_cast<float>(place.y), place.frame,
+                    alignedRotation(in_.problem, x_, y_, place.x, place.y, place.frame)};
+    int samples = 0;
+    const std::array<float, 2> distances =
+        in_.distance.ofBothWays(window_, candidate, bestTotal_ - uniformity, samples);
+    count(2, samples);
+    const bool sameWay = keepIfBetter(candidate, distances[0], uniformity);
+    candidate.rotation = candidate.rotation.opposite();
+    return keepIfBetter(candidate, distances[1], uniformity) || sameWay;
+  }
+
+  void keepBest() {
+    if (sameSource(best_, start_)) return;
+    if (in_.drawsAtRandom) {
+      ownChanges_.add(start_, -1);
+      ownChanges_.add(best_, +1);
+    }
+    changed_(x_, y_) = 1;
+    ++changeCount_;
+    nnf_(x_, y_) = best_;
+    errors_(x_, y_) = bestDistance_;
+  }
+
+  void takeBackChanges() {
+    if (ownChanges_.isCheaperToClear(2 * changeCount_)) {
+      ownChanges_.clear();
+      return;
+    }
+    for (int y = tile_.top; y < tile_.bottom; ++y) {
+      for (int x = tile_.left; x < tile_.right; ++x) {
+        if (changed_(x, y) == 0) continue;
+        ownChanges_.add(in_.before(x, y), +1);
+        ownChanges_.add(nnf_(x, y), -1);
+      }
+    }
   }
 
   static bool sameSource(const Match& a, const Match& b) {
@@ -187,32 +361,26 @@ class TileSweep {
            a.rotation.cosine == b.rotation.cosine && a.rotation.sine == b.rotation.sine;
   }
 
-  /// Leaves the scratch map as it was found: all zero.
-  void forgetOwnChanges() {
-    for (int y = tile_.top; y < tile_.bottom; ++y) {
-      for (int x = tile_.left; x < tile_.right; ++x) {
-        if (!problem_.target.inside(x, y) || sameSource(before_(x, y), nnf_(x, y))) continue;
-        ownChanges_.add(before_(x, y), +1);
-        ownChanges_.add(nnf_(x, y), -1);
-      }
-    }
-  }
-
-  const SearchProblem& problem_;
-  const PatchDistance& distance_;
-  const UniformityScale& uniformity_;
-  const NearestNeighborField& before_;
-  const OccurrenceMap& occurrence_;
-  OccurrenceMap& ownChanges_;
+  const SweepInputs& in_;
   Tile tile_;
+  UseChanges& ownChanges_;
   NearestNeighborField& nnf_;
   Image<float>& errors_;
+  Mask& changed_;
+  SearchStatistics statistics_;
+  std::size_t changeCount_ = 0;
 
   // Of the pixel being visited:
+  std::vector<Draw> draws_;  ///< one a box
+  int x_ = 0;
+  int y_ = 0;
   TargetWindow window_;
+  bool isReady_ = false;  ///< whether `window_` and the best distances are this pixel's
   Segment segment_ = Segment::kOutside;
   float scale_ = 0.0F;
   Match start_;
+  int startX_ = 0;  ///< nearest pixel of `start_`
+  int startY_ = 0;
   Match best_;
   float bestDistance_ = 0.0F;
   float bestTotal_ = 0.0F;
@@ -238,24 +406,6 @@ std::optional<Match> nearestLegal(const ExemplarLevel& exemplar, const Match& ma
   return best;
 }
 
-/// Patch distance, without uniformity term, of every match; kNever where not legal.
-Image<float> patchDistances(const SearchProblem& problem, const PatchDistance& distance,
-                            const NearestNeighborField& nnf) {
-  Image<float> errors(nnf.size(), kNever);
-  forEachRow(nnf.height(), [&](int y) {
-    TargetWindow window;
-    for (int x = 0; x < nnf.width(); ++x) {
-      if (!problem.target.inside(x, y) ||
-          !problem.exemplar.isLegal(nnf(x, y), problem.target.segment(x, y))) {
-        continue;
-      }
-      distance.gather(x, y, window);
-      errors(x, y) = distance(window, nnf(x, y), kNever);
-    }
-  });
-  return errors;
-}
-
 OccurrenceMap emptyOccurrence(const SearchProblem& problem) {
   return {problem.exemplar.size(), problem.exemplar.frameCount(), problem.options.occRadiusFrames};
 }
@@ -270,7 +420,8 @@ Match randomMatch(const SearchProblem& problem, int x, int y, int pass) {
   const std::vector<std::uint32_t>& candidates =
       problem.exemplar.candidates(problem.target.segment(x, y));
   assert(!candidates.empty());
-  Random random = randomAt(problem, pass, x, y);
+  const Pixel origin = problem.place.origin;
+  Random random = randomOf(problem, pass).at(origin.x + x, origin.y + y);
   const ExemplarLevel::Position p =
       problem.exemplar.position(candidates[random.below(candidates.size())]);
   const Rotation aligned = alignedRotation(problem, x, y, p.x, p.y, p.frame);
@@ -296,50 +447,81 @@ void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf) {
 }
 
 Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& weights,
-                         const NearestNeighborField& nnf) {
+                         const NearestNeighborField& nnf, const Image<float>* bounds) {
   OccurrenceMap occurrence = emptyOccurrence(problem);
   occurrence.rebuild(nnf);
   const UniformityScale uniformity(problem);
   const PatchDistance distance(problem.exemplar, problem.target, weights);
-  Image<float> errors = patchDistances(problem, distance, nnf);
+  Image<float> errors(nnf.size(), kNever);
   forEachRow(nnf.height(), [&](int y) {
+    TargetWindow window;
     for (int x = 0; x < nnf.width(); ++x) {
-      if (errors(x, y) == kNever) continue;
-      errors(x, y) += uniformity(problem.target.segment(x, y)) *
-                      static_cast<float>(occurrence.windowSum(nnf(x, y)));
+      const Segment segment = problem.target.segment(x, y);
+      if (segment == Segment::kOutside || !problem.exemplar.isLegal(nnf(x, y), segment)) continue;
+      const float bound = bounds == nullptr ? kNever : (*bounds)(x, y);
+      const float use = uniformity(segment) * static_cast<float>(occurrence.windowSum(nnf(x, y)));
+      if (use >= bound) continue;
+      distance.gather(x, y, window);
+      const float error = distance(window, nnf(x, y), bound - use);
+      // Rounding may tell one of the two from the other
+      if (error < bound - use && error + use < bound) errors(x, y) = error + use;
     }
   });
   return errors;
 }
 
-void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
-                          int iterations, int firstPass, NearestNeighborField& nnf,
-                          Candidates candidates) {
+SearchStatistics findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
+                                      int iterations, int firstPass, NearestNeighborField& nnf,
+                                      Candidates candidates, Mask* changing) {
   const PatchDistance distance(problem.exemplar, problem.target, weights);
   const UniformityScale uniformity(problem);
   const std::vector<Tile> tiles = occupiedTiles(problem.target);
-  if (tiles.empty()) return;
-  Image<float> errors = patchDistances(problem, distance, nnf);
+  SearchStatistics statistics;
+  if (tiles.empty()) return statistics;
+  Image<float> errors(nnf.size(), kUnknown);
   OccurrenceMap occurrence = emptyOccurrence(problem);
   // One scratch map per thread that can have work, all zero between tiles.
   const int workers = std::min(threadLimit(), static_cast<int>(tiles.size()));
-  std::vector<OccurrenceMap> ownChanges;
-  ownChanges.reserve(static_cast<std::size_t>(workers));
-  for (int t = 0; t < workers; ++t) ownChanges.push_back(emptyOccurrence(problem));
+  std::vector<UseChanges> ownChanges(
+      static_cast<std::size_t>(workers),
+      UseChanges(problem.exemplar.size(), problem.exemplar.frameCount(),
+                 problem.options.occRadiusFrames));
+  const std::vector<SearchBox> boxes = searchBoxes(problem);
+  const bool focused = problem.options.searchEffort == SearchEffort::kWhereItChanges;
+  const bool draws = candidates == Candidates::kAll;
+  const bool isFirst = changing == nullptr || changing->empty();
+  Mask changed = isFirst ? Mask(nnf.size(), 1) : std::move(*changing);
 
   for (int i = 0; i < iterations; ++i) {
     const NearestNeighborField before = nnf.clone();
     occurrence.rebuild(before);
+    const Mask changedBefore = std::exchange(changed, Mask(nnf.size()));
+    SweepInputs inputs{problem,
+                       distance,
+                       uniformity,
+                       before,
+                       occurrence,
+                       boxes,
+                       randomOf(problem, firstPass + i),
+                       changedBefore};
+    inputs.pass = firstPass + i;
+    inputs.neighbors = focused && draws ? kNeighbors.size() : kAdjacentNeighbors;
+    inputs.everyNeighbor = i < kSweepsPerDirection;
+    inputs.drawsAtRandom = draws;
+    inputs.everywhere = !focused || (isFirst && i == 0);
+    std::vector<SearchStatistics> ofTiles(tiles.size());
     parallelFor(
         static_cast<int>(tiles.size()), 1,
         [&](int t) {
-          TileSweep(problem, distance, uniformity, before, occurrence,
-                    ownChanges[static_cast<std::size_t>(threadIndex())],
-                    tiles[static_cast<std::size_t>(t)], nnf, errors)
-              .run(firstPass + i, candidates);
+          const auto tile = static_cast<std::size_t>(t);
+          UseChanges& own = ownChanges[static_cast<std::size_t>(threadIndex())];
+          ofTiles[tile] = TileSweep(inputs, tiles[tile], own, nnf, errors, changed).run();
         },
         workers);
+    for (const SearchStatistics& tile : ofTiles) statistics += tile;
   }
+  if (changing != nullptr) *changing = std::move(changed);
+  return statistics;
 }
 
 }  // namespace fluidymation

@@ -23,17 +23,17 @@ Vec2 levelDirection(Vec2 flow, Vec2 meanDirection, Vec2 first) {
 /// Means of the blocks of 2x2, as far as the image reaches.
 Image<float> blockMeans(const Image<float>& fine) {
   Image<float> coarse(halvedSize(fine.size()));
-  const int wholeBlocks = fine.width() / 2;
+  const auto wholeBlocks = static_cast<std::size_t>(fine.width() / 2);
   forEachRow(coarse.height(), [&](int y) {
     const bool hasLower = 2 * y + 1 < fine.height();
     const float* upper = fine.row(2 * y);
     const float* lower = hasLower ? fine.row(2 * y + 1) : nullptr;
     float* out = coarse.row(y);
-    for (int x = 0; x < wholeBlocks; ++x) {
+    for (std::size_t x = 0; x < wholeBlocks; ++x) {
       const float sum = upper[2 * x] + upper[2 * x + 1];
       out[x] = hasLower ? (sum + lower[2 * x] + lower[2 * x + 1]) / 4.0F : sum / 2.0F;
     }
-    if (wholeBlocks == coarse.width()) return;
+    if (fine.width() % 2 == 0) return;
     const float last = upper[2 * wholeBlocks];
     out[wholeBlocks] = hasLower ? (last + lower[2 * wholeBlocks]) / 2.0F : last;
   });
@@ -100,8 +100,10 @@ GuideLevel halve(const GuideLevel& fine) {
     const std::uint8_t* upper = fine.mask.row(2 * y);
     const std::uint8_t* lower = fine.mask.row(std::min(2 * y + 1, fine.mask.height() - 1));
     for (int x = 0; x < size.width; ++x) {
-      const int right = std::min(2 * x + 1, fine.mask.width() - 1);
-      if ((upper[2 * x] | upper[right] | lower[2 * x] | lower[right]) == 0) continue;
+      const std::size_t left = std::size_t{2} * static_cast<std::size_t>(x);
+      const std::size_t right =
+          left + 1 < static_cast<std::size_t>(fine.mask.width()) ? left + 1 : left;
+      if ((upper[left] | upper[right] | lower[left] | lower[right]) == 0) continue;
       int inside = 0;
       float extForward = 0.0F;
       float extBackward = 0.0F;

@@ -29,6 +29,66 @@ bool hasAnyMatch(const NearestNeighborField& nnf) {
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
 }
 
+/// Tells an observer when a stage begins and ends.
+class StageScope {
+ public:
+  StageScope(StageObserver* observer, Stage stage, int level)
+      : observer_(observer), stage_(stage), level_(level) {
+    if (observer_ != nullptr) observer_->begins(stage_, level_);
+  }
+  StageScope(const StageScope&) = delete;
+  StageScope& operator=(const StageScope&) = delete;
+  ~StageScope() {
+    if (observer_ != nullptr) observer_->ends(stage_, level_);
+  }
+
+ private:
+  StageObserver* observer_;
+  Stage stage_;
+  int level_;
+};
+
+/// Every guide of a frame within a box.
+GuideFrame croppedGuides(const GuideFrame& frame, const Box& box) {
+  const auto optional = [&box](const Image<float>& image) {
+    return image.empty() ? Image<float>() : cropped(image, box);
+  };
+  GuideFrame part;
+  part.mask = cropped(frame.mask, box);
+  part.distance = cropped(frame.distance, box);
+  part.flow = cropped(frame.flow, box);
+  part.direction = cropped(frame.direction, box);
+  part.accForward = cropped(frame.accForward, box);
+  part.accBackward = cropped(frame.accBackward, box);
+  part.diffusion = frame.diffusion;
+  part.shape = optional(frame.shape);
+  part.coverage = optional(frame.coverage);
+  part.age = optional(frame.age);
+  part.ageGrows = frame.ageGrows;
+  return part;
+}
+
+template <typename T, typename Equal>
+bool areEqual(const Image<T>& a, const Image<T>& b, const Equal& equal) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+/// Whether a frame shows what the one before it shows, and nothing has moved or aged on the way.
+bool isHeld(const GuideFrame& frame, const GuideFrame& before) {
+  const auto number = [](auto a, auto b) { return a == b; };
+  const auto vector = [](Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; };
+  return !frame.ageGrows && areEqual(frame.mask, before.mask, number) &&
+         std::all_of(frame.flow.begin(), frame.flow.end(),
+                     [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; }) &&
+         areEqual(frame.distance, before.distance, number) &&
+         areEqual(frame.direction, before.direction, vector) &&
+         areEqual(frame.accForward, before.accForward, vector) &&
+         areEqual(frame.accBackward, before.accBackward, vector) &&
+         areEqual(frame.shape, before.shape, number) &&
+         areEqual(frame.coverage, before.coverage, number) &&
+         areEqual(frame.age, before.age, number);
+}
+
 /// The mask, and what else the outline of a soft shape cuts.
 Mask paintedPixels(const GuideFrame& frame) {
   Mask painted(frame.mask.size());
@@ -42,44 +102,78 @@ Mask paintedPixels(const GuideFrame& frame) {
 
 }  // namespace
 
-Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options)
-    : exemplar_(exemplar), options_(options) {
+Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options,
+                         StageObserver* observer)
+    : exemplar_(exemplar), options_(options), observer_(observer) {
   for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
 }
 
+template <typename Body>
+auto Synthesizer::timed(Stage stage, int level, const Body& body) const {
+  const StageScope scope(observer_, stage, level);
+  return body();
+}
+
 Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
-  const int coarsest = exemplar_.levelCount() - 1;
-  NearestNeighborField shifted =
-      nnf_.empty() ? NearestNeighborField(frame.mask.size())
-                   : shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
-  const bool fresh = !hasAnyMatch(shifted);
-
-  std::vector<GuideLevel> guides;
-  guides.push_back(finestLevel(frame));
-  if (options_.thinParts == ThinParts::kBody) {
-    guides.back().distance = stretchedDistance(frame.distance, exemplar_.level(0).borderWidthPx());
+  const Size size = frame.mask.size();
+  const Mask painted = paintedPixels(frame);
+  // As far as a window of the coarsest level reaches, whose pixels are blocks of this size
+  const int block = 1 << (exemplar_.levelCount() - 1);
+  const Box box = alignedTo(grown(boundingBox(painted), kPatchRadius * block, size), block, size);
+  GuideFrame guides = croppedGuides(frame, box);
+  held_ = size == size_ && box == box_ && isHeld(guides, guides_);
+  if (!held_) {
+    nnf_ = recropped(nnf_, box_, box);
+    owed_ = recropped(owed_, box_, box);
+    size_ = size;
+    box_ = box;
+    picture_ = countInside(guides.mask) > 0 ? paintBox(guides) : Image<Lab>(box.size());
+    if (countInside(guides.mask) == 0) nnf_ = NearestNeighborField(box.size());
+    guides_ = std::move(guides);
   }
-  for (int l = 1; l <= coarsest; ++l) guides.push_back(halve(guides.back()));
+  ++frame_;
+  return recropped(picture_, box, whole(size));
+}
 
-  NearestNeighborField nnf(frame.mask.size());
-  Image<Lab> picture(frame.mask.size());
-  if (countInside(frame.mask) > 0) {
-    for (int l = coarsest; l >= 0; --l) {
-      TargetLevel target(guides[static_cast<std::size_t>(l)], exemplar_.level(0).borderWidthPx(),
-                         exemplar_.extentScale(), options_.shape);
-      nnf = l < finestOptimized() ? upscale(nnf, target.segment)
-                                  : optimizedField(l, nnf, shifted, fresh, target);
-      if (l == 0) {
-        picture =
-            paintedVote(exemplar_.level(l), paintedPixels(frame), nnf, options_.paintedVote).color;
-      }
-    }
+Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
+  const int coarsest = exemplar_.levelCount() - 1;
+  const NearestNeighborField shifted = timed(Stage::kShift, 0, [&] {
+    return shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
+  });
+  const bool fresh = !hasAnyMatch(shifted);
+  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
+
+  NearestNeighborField nnf;
+  for (int l = coarsest; l >= 0; --l) {
+    TargetLevel& target = levels[static_cast<std::size_t>(l)];
+    nnf = l < finestOptimized() ? upscaled(nnf, l, target)
+                                : optimizedField(l, nnf, shifted, fresh, target);
   }
   nnf_ = std::move(nnf);
-  ++frame_;
-  return picture;
+  return timed(Stage::kPaint, 0, [&] {
+    return paintedVote(exemplar_.level(0), paintedPixels(frame), nnf_, options_.paintedVote).color;
+  });
+}
+
+std::vector<TargetLevel> Synthesizer::levelsOf(const GuideFrame& frame) const {
+  const float borderWidthPx = exemplar_.level(0).borderWidthPx();
+  GuideLevel guides = finestLevel(frame);
+  if (options_.thinParts == ThinParts::kBody) {
+    guides.distance = stretchedDistance(frame.distance, borderWidthPx);
+  }
+  std::vector<TargetLevel> levels;
+  for (int l = 0; l < exemplar_.levelCount(); ++l) {
+    if (l > 0) guides = halve(guides);
+    levels.emplace_back(guides, borderWidthPx, exemplar_.extentScale(), options_.shape);
+  }
+  return levels;
+}
+
+NearestNeighborField Synthesizer::upscaled(const NearestNeighborField& coarser, int level,
+                                           const TargetLevel& target) const {
+  return timed(Stage::kUpscale, level, [&] { return upscale(coarser, target.segment); });
 }
 
 LevelIterations Synthesizer::iterations(int level) const {
@@ -100,16 +194,21 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                                                  const NearestNeighborField& shifted, bool fresh,
                                                  TargetLevel& target) const {
   const ExemplarLevel& exemplar = exemplar_.level(level);
-  const SearchProblem problem{exemplar,
-                              expectedUse_[static_cast<std::size_t>(level - finestOptimized())],
-                              target, options_, Place{frame_, level}};
+  const SearchProblem problem{
+      exemplar, expectedUse_[static_cast<std::size_t>(level - finestOptimized())], target, options_,
+      Place{frame_, level, {box_.beginX >> level, box_.beginY >> level}}};
   const int coarsest = exemplar_.levelCount() - 1;
   const LevelIterations count = iterations(level);
   const DistanceWeights weights{options_.texWeight, options_.edgeGain * options_.distWeight,
                                 options_.flowWeight, options_.prevWeight, options_.dirWeight};
   int pass = count.firstPass;
+  Mask changing;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {
-    findNearestNeighbors(problem, w, count.patchmatch, pass, nnf, count.candidates);
+    const SearchStatistics done = timed(Stage::kSearch, level, [&] {
+      return findNearestNeighbors(problem, w, count.patchmatch, pass, nnf, count.candidates,
+                                  &changing);
+    });
+    if (observer_ != nullptr) observer_->searched(level, done);
     pass += count.patchmatch;
   };
 
@@ -120,26 +219,33 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
       repair(problem, kRandomFieldPass, nnf);
       // Guides alone place it (§4.2)
       search({0.0F, weights.dist, weights.flow, 0.0F, weights.dir}, nnf);
+      changing = {};  // with colours all costs are different ones
     } else {
-      nnf = upscale(coarser, target.segment);
+      nnf = upscaled(coarser, level, target);
     }
   } else {
-    NearestNeighborField downscaled = downscale(shifted, level);
-    const float borderWidthPx = exemplar.borderWidthPx();
-    setPrevious(exemplar, borderWidthPx,
-                inPixels(options_.prevModulation, borderWidthPx, shifted.size()), downscaled,
-                target);
-    nnf = level == coarsest
-              ? std::move(downscaled)
-              : merge(problem, weights, upscale(coarser, target.segment), downscaled, target);
+    NearestNeighborField downscaled = timed(Stage::kPrevious, level, [&] {
+      NearestNeighborField field = downscale(shifted, level);
+      const float borderWidthPx = exemplar.borderWidthPx();
+      setPrevious(exemplar, borderWidthPx, inPixels(options_.prevModulation, borderWidthPx, size_),
+                  field, target);
+      return field;
+    });
+    if (level == coarsest) {
+      nnf = std::move(downscaled);
+    } else {
+      NearestNeighborField enlarged = upscaled(coarser, level, target);
+      nnf = timed(Stage::kMerge, level,
+                  [&] { return merge(problem, weights, std::move(enlarged), downscaled, target); });
+    }
   }
-  repair(problem, kRepairPass, nnf);
+  timed(Stage::kRepair, level, [&] { repair(problem, kRepairPass, nnf); });
 
-  // Alternate search and vote; the picture and the field improve each other (§3.2).
-  target.picture = vote(exemplar, target.segment, nnf).color;
+  // Alternate vote and search; the picture and the field improve each other (§3.2).
   for (int i = 0; i < count.optimization; ++i) {
+    target.picture =
+        timed(Stage::kVote, level, [&] { return vote(exemplar, target.segment, nnf); });
     search(weights, nnf);
-    target.picture = vote(exemplar, target.segment, nnf).color;
   }
   return nnf;
 }

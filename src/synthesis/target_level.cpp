@@ -8,24 +8,22 @@
 
 namespace fluidymation {
 
-TargetLevel::TargetLevel(const GuideLevel& guides, float borderWidthPx,
+TargetLevel::TargetLevel(const GuideLevel& given, float borderWidthPx,
                          const ExtentScale& extentScale, const ShapeRules& rules)
-    : segment(guides.mask.size(), Segment::kOutside),
-      edge(guides.mask.size()),
-      extForward(guides.mask.size()),
-      extBackward(guides.mask.size()),
-      direction(guides.direction.clone()),
-      modulationDistancePx(modulationDistances(guides, borderWidthPx, rules)),
-      picture(guides.mask.size()),
-      previous(guides.mask.size()),
-      hasPrevious(guides.mask.size()),
-      modulation(guides.mask.size()) {
+    : segment(given.mask.size(), Segment::kOutside),
+      guides(given.mask.size()),
+      direction(given.direction.clone()),
+      modulationDistancePx(modulationDistances(given, borderWidthPx, rules)),
+      picture(given.mask.size()),
+      previous(given.mask.size()),
+      modulation(given.mask.size()) {
+  const float extentSteps = extentScale.stepsPerUnit();
   forEachRow(segment.height(), [&](int y) {
     for (int x = 0; x < segment.width(); ++x) {
-      segment(x, y) = guides.segment(x, y, borderWidthPx);
-      edge(x, y) = shapeChannel(guides, x, y, borderWidthPx, rules);
-      extForward(x, y) = extentScale(guides.extForward(x, y));
-      extBackward(x, y) = extentScale(guides.extBackward(x, y));
+      segment(x, y) = given.segment(x, y, borderWidthPx);
+      guides(x, y) = {toFixed(shapeChannel(given, x, y, borderWidthPx, rules), kEdgeSteps), 0,
+                      toFixed(extentScale(given.extForward(x, y)), extentSteps),
+                      toFixed(extentScale(given.extBackward(x, y)), extentSteps)};
     }
   });
   borderCount =

@@ -136,9 +136,7 @@ ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
                  const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
                  TargetLevel& target) {
-  VotedPicture previous = vote(exemplar, target.segment, shifted);
-  target.previous = std::move(previous.color);
-  target.hasPrevious = std::move(previous.exists);
+  target.previous = vote(exemplar, target.segment, shifted);
   forEachRow(shifted.height(), [&](int y) {
     for (int x = 0; x < shifted.width(); ++x) {
       const Match& match = shifted(x, y);

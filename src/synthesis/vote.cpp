@@ -3,13 +3,93 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "fluidymation/core/parallel.h"
-#include "fluidymation/synthesis/sampling.h"
+#include "synthesis/patch_kernels.h"
+#include "synthesis/sample_order.h"
+#include "synthesis/sampling.h"
 
 namespace fluidymation {
 namespace {
+
+/// Rows of a picture that are averaged at a time. The windows of kPatchRadius rows on either side
+/// are read twice.
+constexpr int kBandRows = 32;
+
+/// The nearest place to `match` that is in the image: one that was only enlarged may lie outside.
+Match inImage(const Match& match, Size size) {
+  constexpr float kHalf = 0.5F;
+  // Just below the place that is nearest to the pixel beyond
+  const auto last = [](int length) {
+    return std::nextafter(static_cast<float>(length) - kHalf, 0.0F);
+  };
+  return {std::clamp(match.x, -kHalf, last(size.width)),
+          std::clamp(match.y, -kHalf, last(size.height)), match.frame, match.rotation};
+}
+
+/// Sums of colours for the rows [top, bottom) of a picture, with room for what windows that cover
+/// them add beyond.
+class BandSums {
+ public:
+  BandSums(int width, int top, int bottom)
+      : top_(top),
+        bottom_(bottom),
+        stride_(static_cast<std::size_t>(width) + 2 * std::size_t{kPatchRadius}),
+        sums_(stride_ * (static_cast<std::size_t>(bottom - top) + 2 * std::size_t{kMargin})) {
+    for (std::size_t i = 0; i < kPatchArea; ++i) {
+      offsets_[i] = static_cast<std::ptrdiff_t>(sizeof(Sum) / sizeof(std::int32_t)) *
+                    (sampleOffsetY(i) * static_cast<std::ptrdiff_t>(stride_) + sampleOffsetX(i));
+    }
+  }
+
+  /// Adds all windows that reach into the band.
+  void add(const ExemplarLevel& exemplar, const PatchKernels& kernels,
+           const NearestNeighborField& nnf) {
+    const int first = std::max(top_ - kPatchRadius, 0);
+    const int end = std::min(bottom_ + kPatchRadius, nnf.height());
+    for (int y = first; y < end; ++y) {
+      for (int x = 0; x < nnf.width(); ++x) {
+        if (!nnf(x, y).exists()) continue;
+        const Match match = inImage(nnf(x, y), exemplar.size());
+        kernels.addColors(sourceWindow(exemplar, match), {at(x, y).data(), offsets_.data()});
+      }
+    }
+  }
+
+  /// Writes the means of the wanted pixels.
+  void average(const Image<Segment>& segment, Image<FixedLab>& picture) {
+    for (int y = top_; y < bottom_; ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        const Sum& sum = at(x, y);
+        if (segment(x, y) == Segment::kOutside || sum[kWeight] == 0) continue;
+        const float share = 1.0F / static_cast<float>(sum[kWeight]);
+        const auto mean = [share](std::int32_t lane) {
+          return static_cast<std::int16_t>(floorToInt(share * static_cast<float>(lane) + 0.5F));
+        };
+        picture(x, y) = {mean(sum[0]), mean(sum[1]), mean(sum[2]), 1};
+      }
+    }
+  }
+
+ private:
+  static constexpr int kMargin = 2 * kPatchRadius;
+  static constexpr std::size_t kWeight = 3;  ///< lane of FixedLab::weight
+  struct alignas(16) Sum : std::array<std::int32_t, 4> {};
+
+  [[nodiscard]] Sum& at(int x, int y) {
+    return sums_[static_cast<std::size_t>(y - top_ + kMargin) * stride_ +
+                 static_cast<std::size_t>(x + kPatchRadius)];
+  }
+
+  int top_;
+  int bottom_;
+  std::size_t stride_;
+  std::vector<Sum> sums_;
+  std::array<std::ptrdiff_t, kPatchArea> offsets_{};
+};
 
 /// `visit(nx, ny)` for the centres of the windows that cover (x, y) and have a match.
 template <typename Visit>
@@ -33,31 +113,44 @@ int nearestWindow(const NearestNeighborField& nnf, int x, int y) {
   return nearest;
 }
 
-/// Averages over the windows that cover a pixel. `wanted(x, y)` tells whether it has to be known,
-/// `read(frame, x, y)` reads the exemplar, `weightOf(dx, dy)` is the weight of a window whose
-/// centre lies that far away, relative to one centred on the pixel itself; where no window has any,
-/// the nearest ones count alike.
-template <typename Wanted, typename Reader, typename WeightOf>
-VotedPicture average(const NearestNeighborField& nnf, const Wanted& wanted, const Reader& read,
-                     const WeightOf& weightOf) {
-  constexpr float kNoWeight = 1e-3F;  // too little to be seen beside the pixel's own window
+/// A window that covers a pixel: where its centre lies from there, and its weight relative to one
+/// centred on the pixel itself.
+struct Voter {
+  int dx = 0;
+  int dy = 0;
+  float weight = 0.0F;
+};
+
+/// Averages over the windows that cover a pixel. `read(frame, x, y)` reads the exemplar; where none
+/// of the voters has a match, the nearest windows count alike.
+template <typename Reader>
+VotedPicture average(const NearestNeighborField& nnf, const Mask& wanted, const Reader& read,
+                     const std::vector<Voter>& voters) {
   const Size size = nnf.size();
   VotedPicture picture{Image<Lab>(size), Mask(size)};
   forEachRow(size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
-      if (!wanted(x, y)) continue;
+      if (wanted(x, y) == 0) continue;
       Float4 sum{};
       float weights = 0.0F;
+      // Neighbouring windows mostly continue each other and read the same place
+      Match lastRead;
+      Float4 last{};
       const auto add = [&](int nx, int ny, float weight) {
         const Match here =
             nnf(nx, ny).moved({static_cast<float>(x - nx), static_cast<float>(y - ny)});
-        sum += weight * read(here.frame, here.x, here.y);
+        if (!areAlike(here, lastRead)) {
+          last = read(here.frame, here.x, here.y);
+          lastRead = here;
+        }
+        sum += weight * last;
         weights += weight;
       };
-      forEachWindow(nnf, x, y, [&](int nx, int ny) {
-        const float weight = weightOf(x - nx, y - ny);
-        if (weight >= kNoWeight) add(nx, ny, weight);
-      });
+      for (const Voter& voter : voters) {
+        const int nx = x + voter.dx;
+        const int ny = y + voter.dy;
+        if (nnf.contains(nx, ny) && nnf(nx, ny).exists()) add(nx, ny, voter.weight);
+      }
       if (weights == 0.0F) {
         const int nearest = nearestWindow(nnf, x, y);
         forEachWindow(nnf, x, y, [&](int nx, int ny) {
@@ -78,7 +171,7 @@ class BilinearReader {
  public:
   explicit BilinearReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
   [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleClamped(exemplar_.frame(frame), exemplar_.size(), x, y).low;
+    return sampleBilinear(exemplar_, frame, x, y);
   }
 
  private:
@@ -89,7 +182,7 @@ class CubicReader {
  public:
   explicit CubicReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
   [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleCubic(exemplar_.frame(frame), exemplar_.size(), x, y);
+    return sampleCubic(exemplar_, frame, x, y);
   }
 
  private:
@@ -100,7 +193,7 @@ class LanczosReader {
  public:
   explicit LanczosReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
   [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleLanczos(kernel_, exemplar_.frame(frame), exemplar_.size(), x, y);
+    return sampleLanczos(kernel_, exemplar_, frame, x, y);
   }
 
  private:
@@ -108,42 +201,50 @@ class LanczosReader {
   LanczosKernel kernel_;
 };
 
-/// Weights for distances 0..kPatchRadius along one axis; not normalized.
-std::array<float, kPatchRadius + 1> windowWeights(float sigmaPx) {
-  std::array<float, kPatchRadius + 1> weights{};
-  for (std::size_t d = 0; d < weights.size(); ++d) {
-    const float t = sigmaPx > 0.0F ? static_cast<float>(d) / sigmaPx : 0.0F;
-    weights[d] = std::exp(-0.5F * t * t);
+/// All windows with a Gaussian weight worth counting; with sigma 0 all alike.
+std::vector<Voter> votersOf(float sigmaPx) {
+  constexpr float kNoWeight = 1e-3F;  // too little to be seen beside the pixel's own window
+  const auto along = [sigmaPx](int offset) {
+    const float t = sigmaPx > 0.0F ? static_cast<float>(offset) / sigmaPx : 0.0F;
+    return std::exp(-0.5F * t * t);
+  };
+  std::vector<Voter> voters;
+  for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
+    for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx) {
+      const float weight = along(dx) * along(dy);
+      if (weight >= kNoWeight) voters.push_back({dx, dy, weight});
+    }
   }
-  return weights;
+  return voters;
 }
 
 }  // namespace
 
-VotedPicture vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
-                  const NearestNeighborField& nnf) {
-  return average(
-      nnf, [&segment](int x, int y) { return segment(x, y) != Segment::kOutside; },
-      BilinearReader(exemplar), [](int, int) { return 1.0F; });
+Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
+                     const NearestNeighborField& nnf) {
+  Image<FixedLab> picture(nnf.size());
+  const PatchKernels& kernels = bestKernels();
+  const int bands = (nnf.height() + kBandRows - 1) / kBandRows;
+  parallelFor(bands, 1, [&](int band) {
+    BandSums sums(nnf.width(), band * kBandRows, std::min((band + 1) * kBandRows, nnf.height()));
+    sums.add(exemplar, kernels, nnf);
+    sums.average(segment, picture);
+  });
+  return picture;
 }
 
 VotedPicture paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
                          const NearestNeighborField& nnf, const VoteOptions& options) {
-  const auto isWanted = [&wanted](int x, int y) { return wanted(x, y) != 0; };
-  const auto weights = windowWeights(options.sigmaPx);
-  const auto weightOf = [&weights](int dx, int dy) {
-    return weights[static_cast<std::size_t>(std::abs(dx))] *
-           weights[static_cast<std::size_t>(std::abs(dy))];
-  };
+  const std::vector<Voter> voters = votersOf(options.sigmaPx);
   switch (options.interpolation) {
     case Interpolation::kBilinear:
-      return average(nnf, isWanted, BilinearReader(exemplar), weightOf);
+      return average(nnf, wanted, BilinearReader(exemplar), voters);
     case Interpolation::kCubic:
-      return average(nnf, isWanted, CubicReader(exemplar), weightOf);
+      return average(nnf, wanted, CubicReader(exemplar), voters);
     case Interpolation::kLanczos:
       break;
   }
-  return average(nnf, isWanted, LanczosReader(exemplar), weightOf);
+  return average(nnf, wanted, LanczosReader(exemplar), voters);
 }
 
 }  // namespace fluidymation

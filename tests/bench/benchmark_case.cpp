@@ -26,12 +26,9 @@ std::vector<std::string> sampleFiles(const std::string& folder, int frames) {
   return files.paths;
 }
 
-std::vector<InputMask> readMasks(const std::string& folder, int frames, Size size) {
+std::vector<InputMask> readMasks(const std::vector<std::string>& files, Size size) {
   std::vector<InputMask> masks;
-  for (const std::string& path : sampleFiles(folder, frames)) {
-    // The samples' masks are black and white.
-    masks.emplace_back(resize(readCoverage(path, MaskChannel::kBrightness), size), false);
-  }
+  for (const std::string& path : files) masks.push_back(readMask(path, size));
   return masks;
 }
 
@@ -72,6 +69,11 @@ const std::vector<BenchmarkCase>& benchmarkCases() {
   return cases;
 }
 
+InputMask readMask(const std::string& path, Size size) {
+  // The samples' masks are black and white.
+  return {resize(readCoverage(path, MaskChannel::kBrightness), size), false};
+}
+
 LoadedCase load(const BenchmarkCase& benchmarkCase, const std::string& samples, int frames,
                 double scale) {
   const Options options;
@@ -80,7 +82,7 @@ LoadedCase load(const BenchmarkCase& benchmarkCase, const std::string& samples, 
   const std::string source = samples + "/source/" + benchmarkCase.exemplar;
 
   const std::vector<InputMask> masks =
-      readMasks(source + "/mask", benchmarkCase.exemplarFrames, size);
+      readMasks(sampleFiles(source + "/mask", benchmarkCase.exemplarFrames), size);
   GuideStream guides(
       benchmarkCase.exemplarFrames,
       [&](int k) {
@@ -98,10 +100,10 @@ LoadedCase load(const BenchmarkCase& benchmarkCase, const std::string& samples, 
   }
   exemplar.finish(options.synthesis.extentUnit);
 
-  std::vector<InputMask> targetMasks =
-      readMasks(samples + "/target-mask/" + benchmarkCase.target, frames, targetSize);
-  const GuideOptions targetGuides = guideOptions(targetMasks, options);
-  return {std::move(exemplar), std::move(targetMasks), targetGuides, options.synthesis};
+  std::vector<std::string> targetFiles =
+      sampleFiles(samples + "/target-mask/" + benchmarkCase.target, frames);
+  const GuideOptions targetGuides = guideOptions(readMasks(targetFiles, targetSize), options);
+  return {std::move(exemplar), std::move(targetFiles), targetSize, targetGuides, options.synthesis};
 }
 
 }  // namespace fluidymation::bench

@@ -28,10 +28,14 @@ struct BenchmarkCase {
 /// A case ready to be painted, by the standard look.
 struct LoadedCase {
   Exemplar exemplar;
-  std::vector<InputMask> targetMasks;
+  std::vector<std::string> targetFiles;  ///< masks
+  Size targetSize;                       ///< to scale them to
   GuideOptions targetGuides;
   SynthesisOptions synthesis;
 };
+
+/// Reads a sample's mask and scales it.
+[[nodiscard]] InputMask readMask(const std::string& path, Size size);
 
 /// Reads the samples and scales them to the case's sizes, with its proportions, times `scale`.
 /// @param samples  folder that holds source/ and target-mask/.

@@ -33,7 +33,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   std::vector<std::string> caseNames;
   for (const BenchmarkCase& one : benchmarkCases()) caseNames.push_back(one.name);
   std::vector<std::string> stageNames;
-  for (const Stage stage : allStages()) stageNames.push_back(nameOf(stage));
+  for (const TimedStage stage : allStages()) stageNames.push_back(nameOf(stage));
   const std::map<std::string, Format> formats = {{"table", Format::kTable}, {"tsv", Format::kTsv}};
   constexpr int kMost = 1000;  // catches slips
 
@@ -65,8 +65,8 @@ bool isWanted(const Arguments& arguments, const BenchmarkCase& one) {
                                               one.name) != arguments.cases.end();
 }
 
-std::optional<Stage> wantedStage(const Arguments& arguments) {
-  for (const Stage stage : allStages()) {
+std::optional<TimedStage> wantedStage(const Arguments& arguments) {
+  for (const TimedStage stage : allStages()) {
     if (nameOf(stage) == arguments.stage) return stage;
   }
   return std::nullopt;
@@ -83,11 +83,6 @@ void run(const Arguments& arguments) {
     printFacts(std::cout, factsOfCase(one, loaded, measurement), arguments.format);
     printCosts(std::cout, one.name, measurement, wantedStage(arguments), arguments.format);
     std::cout << std::flush;
-    if (!measurement.sameMatches) {
-      std::cerr << "fluidymation_bench: note: " << one.name
-                << ": the stages did not give the matches of whole frames; does "
-                   "StagedSynthesizer still do what Synthesizer does?\n";
-    }
   }
 }
 

@@ -1,31 +1,20 @@
 #include "bench/measure.h"
 
 #include <cassert>
-#include <set>
+#include <cstdint>
+#include <utility>
 
-#include "bench/staged_synthesizer.h"
-#include "fluidymation/core/parallel.h"
+#include "bench/stage_timer.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/synthesis/synthesizer.h"
+#include "pipeline/frame_writer.h"
 #include "support/temporary_folder.h"
 
 namespace fluidymation::bench {
 namespace {
-
-/// As the pipeline does before it writes.
-Image<Rgba8> toRgba(const Image<Lab>& picture, const GuideFrame& frame) {
-  Image<Rgba8> output(picture.size());
-  forEachRow(picture.height(), [&](int y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const std::uint8_t alpha = toByte(frame.coverageAt(x, y));
-      if (alpha == 0) continue;
-      const Rgb color = toRgb(picture(x, y));
-      output(x, y) = {toByte(color.r), toByte(color.g), toByte(color.b), alpha};
-    }
-  });
-  return output;
-}
 
 /// Adds the costs of one clock to those of another.
 void addAll(const StageClock& from, StageClock& to) {
@@ -40,61 +29,98 @@ void addSums(StageClock& clock) {
   }
 }
 
-/// One frame as the tool paints it; its parts that are not the synthesizer's are stages too.
-GuideFrame paintWhole(GuideStream& guides, Synthesizer& synthesizer, const std::string& path,
-                      StageClock& clock) {
-  GuideFrame frame = clock.time(Stage::kGuides, kNoLevel, [&] { return guides.next(); });
-  const Image<Lab> picture =
-      clock.time(Stage::kPaint, kNoLevel, [&] { return synthesizer.paint(frame); });
-  const Image<Rgba8> rgba =
-      clock.time(Stage::kRgba, kNoLevel, [&] { return toRgba(picture, frame); });
-  clock.time(Stage::kPng, kNoLevel, [&] { writePng(path, rgba); });
-  return frame;
+/// Reads the target's masks, and tells what a frame of that costs.
+GuideStream openGuides(const LoadedCase& loaded, StageClock& clock) {
+  const auto frames = static_cast<int>(loaded.targetFiles.size());
+  StageClock reading;
+  const Stopwatch all;
+  GuideStream guides(
+      frames,
+      [&](int i) {
+        return reading.time(TimedStage::kReading, [&] {
+          return readMask(loaded.targetFiles[static_cast<std::size_t>(i)], loaded.targetSize);
+        });
+      },
+      loaded.targetGuides);
+  Cost ahead = all.elapsed();
+  ahead -= reading.sum();
+  clock.add({TimedStage::kReading, kNoLevel}, reading.sum().dividedBy(frames));
+  clock.add({TimedStage::kGuidesAhead, kNoLevel}, ahead.dividedBy(frames));
+  return guides;
 }
+
+/// Makes frames as the tool does.
+class FrameMaker {
+ public:
+  FrameMaker(const LoadedCase& loaded, GuideStream& guides)
+      : guides_(guides),
+        timer_(clock_),
+        synthesizer_(loaded.exemplar, loaded.synthesis, &timer_),
+        path_(folder_.file("frame.png")) {}
+  FrameMaker(const FrameMaker&) = delete;
+  FrameMaker& operator=(const FrameMaker&) = delete;
+
+  /// Makes the next frame, from guides to file; @return  its mask.
+  Mask next() {
+    clock_ = {};
+    const Stopwatch whole;
+    Mask mask = make();
+    const Cost frame = whole.elapsed();
+    Cost other = frame;
+    other -= clock_.sum();
+    clock_.add({TimedStage::kOther, kNoLevel}, other);
+    clock_.add({TimedStage::kFrame, kNoLevel}, frame);
+    return mask;
+  }
+
+  /// Of the frame made last.
+  [[nodiscard]] const StageClock& clock() const { return clock_; }
+
+ private:
+  Mask make() {
+    GuideFrame guides = clock_.time(TimedStage::kGuides, [&] { return guides_.next(); });
+    const Image<Lab> picture = synthesizer_.paint(guides);
+    const Image<Rgba8> rgba =
+        clock_.time(TimedStage::kRgba, [&] { return toOutput(picture, guides, encoder_); });
+    const std::vector<std::uint8_t> file =
+        clock_.time(TimedStage::kPng, [&] { return encodePng(rgba); });
+    clock_.time(TimedStage::kFile, [&] { writeAtomically(path_, file); });
+    return std::move(guides.mask);
+  }
+
+  GuideStream& guides_;
+  StageClock clock_;
+  StageTimer timer_;
+  Synthesizer synthesizer_;
+  SrgbByteEncoder encoder_;
+  test::TemporaryFolder folder_;
+  std::string path_;
+};
 
 }  // namespace
 
 Measurement measure(const LoadedCase& loaded, int repetitions) {
-  const int frames = static_cast<int>(loaded.targetMasks.size());
+  const auto frames = static_cast<int>(loaded.targetFiles.size());
   assert(frames >= 2);
   const int later = frames - 1;
-  const test::TemporaryFolder folder;
   Measurement result;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
+    StageClock perFrame;
+    GuideStream guides = openGuides(loaded, perFrame);
+    FrameMaker maker(loaded, guides);
+    maker.next();
+    perFrame.add({TimedStage::kFirstFrame, kNoLevel},
+                 maker.clock().costs().at({TimedStage::kFrame, kNoLevel}));
+
     StageClock total;  // of all frames but the first
-    const Stopwatch ahead;
-    GuideStream guides(
-        frames,
-        [&](int i) {
-          const InputMask& mask = loaded.targetMasks[static_cast<std::size_t>(i)];
-          return InputMask(mask.coverage.clone(), mask.soft);
-        },
-        loaded.targetGuides);
-    const Cost guidesAhead = ahead.elapsed().dividedBy(frames);
-    Synthesizer synthesizer(loaded.exemplar, loaded.synthesis);
-    StagedSynthesizer staged(loaded.exemplar, loaded.synthesis);
-    Cost firstFrame;
     std::size_t maskPixels = 0;
-    for (int j = 0; j < frames; ++j) {
-      StageClock clock;
-      const Stopwatch whole;
-      const GuideFrame frame = paintWhole(guides, synthesizer, folder.file("frame.png"), clock);
-      clock.add({Stage::kFrame, kNoLevel}, whole.elapsed());
-      staged.paint(frame, clock);
-      result.sameMatches = result.sameMatches && agree(synthesizer.nnf(), staged.nnf());
-      if (j == 0) {
-        firstFrame = clock.costs().at({Stage::kFrame, kNoLevel});
-        continue;
-      }
-      addAll(clock, total);
-      maskPixels += countInside(frame.mask);
+    for (int j = 1; j < frames; ++j) {
+      maskPixels += countInside(maker.next());
+      addAll(maker.clock(), total);
     }
     addSums(total);
-    for (const auto& [stage, cost] : total.costs()) {
-      result.costs[stage].push_back(cost.dividedBy(later));
-    }
-    result.costs[{Stage::kFirstFrame, kNoLevel}].push_back(firstFrame);
-    result.costs[{Stage::kGuidesAhead, kNoLevel}].push_back(guidesAhead);
+    for (const auto& [stage, cost] : total.costs()) perFrame.add(stage, cost.dividedBy(later));
+    for (const auto& [stage, cost] : perFrame.costs()) result.costs[stage].push_back(cost);
     result.maskPixels = static_cast<double>(maskPixels) / later;
   }
   return result;

@@ -13,11 +13,11 @@ struct Measurement {
   /// By stage and level, one value a repetition: of a frame, the mean over all but the first.
   std::map<StageOfLevel, std::vector<Cost>> costs;
   double maskPixels = 0.0;  ///< inside, the mean over the same frames
-  bool sameMatches = true;  ///< whether the stages gave the matches of whole frames
 };
 
-/// Paints the target of a case `repetitions` times, each frame as a whole and stage by stage in
-/// turn. The target has at least two frames.
+/// Paints the target of a case, which has at least two frames, `repetitions` times. One stage
+/// follows the other, where the tool has some side by side; and every frame is encoded, which the
+/// tool spares itself where it looks as the one before.
 [[nodiscard]] Measurement measure(const LoadedCase& loaded, int repetitions);
 
 }  // namespace fluidymation::bench

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <ostream>
 #include <sstream>
 
@@ -34,44 +35,39 @@ std::vector<double> each(const std::vector<Cost>& costs, const Value& value) {
   return values;
 }
 
+/// Whether it is a search that compared anything.
 bool counted(const std::vector<Cost>& costs) {
   return std::all_of(costs.begin(), costs.end(),
-                     [](const Cost& cost) { return cost.counts && cost.counts->distances > 0; });
+                     [](const Cost& cost) { return cost.distances > 0.0; });
 }
 
-Row headerOf(bool withCounts) {
-  Row header = {"case", "stage", "level", "median_ms", "min_ms", "max_ms", "us_cores_per_px"};
-  if (withCounts) {
-    header.insert(header.end(), {"distances_per_s", "samples_per_distance"});
-  }
-  return header;
+/// Median, least and most of a repetition.
+Row spread(std::vector<double> values, int digits) {
+  std::sort(values.begin(), values.end());
+  return {fixed(median(values), digits), fixed(values.front(), digits),
+          fixed(values.back(), digits)};
 }
 
 Row rowOf(const std::string& caseName, const StageOfLevel& stage, const std::vector<Cost>& costs,
-          double maskPixels, bool withCounts) {
-  const std::vector<double> milliseconds =
-      each(costs, [](const Cost& c) { return c.wallSeconds * kMillisecondsPerSecond; });
-  const auto [least, most] = std::minmax_element(milliseconds.begin(), milliseconds.end());
-  const double cpuSeconds = median(each(costs, [](const Cost& c) { return c.cpuSeconds; }));
-  Row row = {caseName,
-             nameOf(stage.stage),
-             stage.level == kNoLevel ? "all" : std::to_string(stage.level),
-             fixed(median(milliseconds), 2),
-             fixed(*least, 2),
-             fixed(*most, 2),
-             fixed(cpuSeconds * kMicrosecondsPerSecond / maskPixels, 3)};
-  if (withCounts && counted(costs)) {
-    const auto perSecond = [](const Cost& c) {
-      return static_cast<double>(c.counts->distances) / c.wallSeconds;
-    };
-    const auto samples = [](const Cost& c) {
-      return static_cast<double>(c.counts->samples) / static_cast<double>(c.counts->distances);
-    };
-    row.push_back(fixed(median(each(costs, perSecond)), 0));
-    row.push_back(fixed(median(each(costs, samples)), 2));
-  } else if (withCounts) {
-    row.insert(row.end(), 2, "-");
+          double maskPixels) {
+  Row row = {caseName, nameOf(stage.stage),
+             stage.level == kNoLevel ? "all" : std::to_string(stage.level)};
+  const auto append = [&row](const Row& more) { row.insert(row.end(), more.begin(), more.end()); };
+  const auto milliseconds = [](const Cost& c) { return c.wallSeconds * kMillisecondsPerSecond; };
+  const auto microsecondsPerPixel = [&](const Cost& c) {
+    return c.cpuSeconds * kMicrosecondsPerSecond / maskPixels;
+  };
+  append(spread(each(costs, milliseconds), 2));
+  append(spread(each(costs, microsecondsPerPixel), 3));
+  if (!counted(costs)) {
+    append({"-", "-", "-"});
+    return row;
   }
+  // Counts are the same in all repetitions, times are not.
+  const Cost& any = costs.front();
+  const auto perSecond = [](const Cost& c) { return c.distances / c.cpuSeconds; };
+  append({fixed(median(each(costs, perSecond)), 0), fixed(any.samples / any.distances, 2),
+          fixed(any.distances / maskPixels, 2)});
   return row;
 }
 
@@ -105,10 +101,9 @@ Facts factsOfCase(const BenchmarkCase& benchmarkCase, const LoadedCase& loaded,
   return {{"case", benchmarkCase.name},
           {"exemplar", benchmarkCase.exemplar + ", " + sizeText(exemplar.level(0).size()) + "x" +
                            std::to_string(exemplar.frameCount())},
-          {"target", benchmarkCase.target + ", " +
-                         sizeText(loaded.targetMasks.front().coverage.size()) + ", " +
+          {"target", benchmarkCase.target + ", " + sizeText(loaded.targetSize) + ", " +
                          fixed(measurement.maskPixels, 0) + " px inside, mean of frames 2 to " +
-                         std::to_string(loaded.targetMasks.size())},
+                         std::to_string(loaded.targetFiles.size())},
           {"paper's table 2", benchmarkCase.paperRow + ", " +
                                   std::to_string(benchmarkCase.paperMaskPixels) + " px inside, " +
                                   fixed(benchmarkCase.paperSeconds, 2) + " s a frame"}};
@@ -126,13 +121,15 @@ void printFacts(std::ostream& out, const Facts& facts, Format format) {
 }
 
 void printCosts(std::ostream& out, const std::string& caseName, const Measurement& measurement,
-                std::optional<Stage> only, Format format) {
-  const bool withCounts = std::any_of(measurement.costs.begin(), measurement.costs.end(),
-                                      [](const auto& entry) { return counted(entry.second); });
-  std::vector<Row> rows = {headerOf(withCounts)};
+                std::optional<TimedStage> only, Format format) {
+  const char* const columns =
+      "case stage level median_ms min_ms max_ms us_cores_per_px min_us max_us "
+      "distances_per_cpu_s samples_per_distance distances_per_px";
+  std::istringstream names(columns);
+  std::vector<Row> rows = {Row(std::istream_iterator<std::string>(names), {})};
   for (const auto& [stage, costs] : measurement.costs) {
     if (only && stage.stage != *only) continue;
-    rows.push_back(rowOf(caseName, stage, costs, measurement.maskPixels, withCounts));
+    rows.push_back(rowOf(caseName, stage, costs, measurement.maskPixels));
   }
   format == Format::kTsv ? printTsv(out, rows) : printTable(out, rows);
 }

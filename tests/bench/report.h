@@ -19,9 +19,11 @@ enum class Format {
 
 void printFacts(std::ostream& out, const Facts& facts, Format format);
 
-/// A row a stage and level.
+/// A row a stage and level: by the clock in milliseconds, by processor time in microseconds x cores
+/// per pixel, and what a search did. Pixels are those inside the full-resolution mask on all
+/// levels.
 /// @param only  where given, the rows of this stage alone.
 void printCosts(std::ostream& out, const std::string& caseName, const Measurement& measurement,
-                std::optional<Stage> only, Format format);
+                std::optional<TimedStage> only, Format format);
 
 }  // namespace fluidymation::bench

@@ -7,26 +7,17 @@
 namespace fluidymation::bench {
 namespace {
 
-const std::vector<std::pair<Stage, std::string>>& names() {
-  static const std::vector<std::pair<Stage, std::string>> table = {
-      {Stage::kFrame, "frame"},
-      {Stage::kFirstFrame, "first-frame"},
-      {Stage::kGuidesAhead, "guides-ahead"},
-      {Stage::kGuides, "guides"},
-      {Stage::kPaint, "paint"},
-      {Stage::kShift, "shift"},
-      {Stage::kPyramid, "pyramid"},
-      {Stage::kTargetLevel, "target-level"},
-      {Stage::kDownscale, "downscale"},
-      {Stage::kPrevious, "previous"},
-      {Stage::kUpscale, "upscale"},
-      {Stage::kMerge, "merge"},
-      {Stage::kRepair, "repair"},
-      {Stage::kSearch, "search"},
-      {Stage::kVote, "vote"},
-      {Stage::kPaintedVote, "painted-vote"},
-      {Stage::kRgba, "rgba"},
-      {Stage::kPng, "png"},
+const std::vector<std::pair<TimedStage, std::string>>& names() {
+  static const std::vector<std::pair<TimedStage, std::string>> table = {
+      {TimedStage::kFrame, "frame"},     {TimedStage::kFirstFrame, "first-frame"},
+      {TimedStage::kReading, "reading"}, {TimedStage::kGuidesAhead, "guides-ahead"},
+      {TimedStage::kGuides, "guides"},   {TimedStage::kShift, "shift"},
+      {TimedStage::kLevels, "levels"},   {TimedStage::kPrevious, "previous"},
+      {TimedStage::kUpscale, "upscale"}, {TimedStage::kMerge, "merge"},
+      {TimedStage::kRepair, "repair"},   {TimedStage::kSearch, "search"},
+      {TimedStage::kVote, "vote"},       {TimedStage::kPaint, "paint"},
+      {TimedStage::kRgba, "rgba"},       {TimedStage::kPng, "png"},
+      {TimedStage::kFile, "file"},       {TimedStage::kOther, "other"},
   };
   return table;
 }
@@ -40,16 +31,16 @@ double secondsOf(clockid_t clock) {
 
 }  // namespace
 
-const std::vector<Stage>& allStages() {
-  static const std::vector<Stage> stages = [] {
-    std::vector<Stage> all;
+const std::vector<TimedStage>& allStages() {
+  static const std::vector<TimedStage> stages = [] {
+    std::vector<TimedStage> all;
     for (const auto& [stage, name] : names()) all.push_back(stage);
     return all;
   }();
   return stages;
 }
 
-const std::string& nameOf(Stage stage) {
+const std::string& nameOf(TimedStage stage) {
   return std::find_if(names().begin(), names().end(),
                       [&](const auto& entry) { return entry.first == stage; })
       ->second;
@@ -58,21 +49,27 @@ const std::string& nameOf(Stage stage) {
 Cost& Cost::operator+=(const Cost& other) {
   wallSeconds += other.wallSeconds;
   cpuSeconds += other.cpuSeconds;
-  if (other.counts) {
-    if (!counts) counts.emplace();
-    counts->distances += other.counts->distances;
-    counts->samples += other.counts->samples;
-  }
+  distances += other.distances;
+  samples += other.samples;
+  return *this;
+}
+
+Cost& Cost::operator-=(const Cost& other) {
+  wallSeconds -= other.wallSeconds;
+  cpuSeconds -= other.cpuSeconds;
+  distances -= other.distances;
+  samples -= other.samples;
   return *this;
 }
 
 Cost Cost::dividedBy(int parts) const {
-  Cost part{wallSeconds / parts, cpuSeconds / parts, counts};
-  if (part.counts) {
-    part.counts->distances /= static_cast<std::uint64_t>(parts);
-    part.counts->samples /= static_cast<std::uint64_t>(parts);
-  }
-  return part;
+  return {wallSeconds / parts, cpuSeconds / parts, distances / parts, samples / parts};
+}
+
+Cost StageClock::sum() const {
+  Cost sum;
+  for (const auto& [stage, cost] : costs_) sum += cost;
+  return sum;
 }
 
 Stopwatch::Stopwatch()
@@ -80,7 +77,7 @@ Stopwatch::Stopwatch()
 
 Cost Stopwatch::elapsed() const {
   return {secondsOf(CLOCK_MONOTONIC) - wallStart_, secondsOf(CLOCK_PROCESS_CPUTIME_ID) - cpuStart_,
-          std::nullopt};
+          0.0, 0.0};
 }
 
 }  // namespace fluidymation::bench

@@ -1,62 +1,58 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace fluidymation::bench {
 
-/// What is timed, in the order of the report.
-enum class Stage {
+/// What is timed, in the order of the report. From kGuides to kOther these are the parts of kFrame
+/// and do not overlap.
+enum class TimedStage {
   kFrame,        ///< guides, painting, conversion and file, as the tool does for every frame
   kFirstFrame,   ///< the same for the first one, which starts from random matches
-  kGuidesAhead,  ///< what GuideStream does before the first frame, by frame
+  kReading,      ///< a mask: file, decoding, scaling
+  kGuidesAhead,  ///< what GuideStream does before the first frame besides, by frame
   kGuides,       ///< GuideStream::next
-  kPaint,        ///< Synthesizer::paint; the stages from here to kPaintedVote are its parts
+  // The engine's own, see `Stage`
   kShift,
-  kPyramid,  ///< target's guides on all levels
-  kTargetLevel,
-  kDownscale,
-  kPrevious,  ///< picture and modulation of the temporal term
+  kLevels,
+  kPrevious,
   kUpscale,
   kMerge,
   kRepair,
-  kSearch,  ///< findNearestNeighbors
+  kSearch,
   kVote,
-  kPaintedVote,
-  kRgba,  ///< CIELAB to the bytes of a file
-  kPng,   ///< encoding, writing, flushing
+  kPaint,
+  kRgba,   ///< CIELAB to the pixels of a file
+  kPng,    ///< encoding
+  kFile,   ///< writing and flushing
+  kOther,  ///< what is left of a frame
 };
 
 /// All stages, in order, and their names.
-[[nodiscard]] const std::vector<Stage>& allStages();
-[[nodiscard]] const std::string& nameOf(Stage stage);
+[[nodiscard]] const std::vector<TimedStage>& allStages();
+[[nodiscard]] const std::string& nameOf(TimedStage stage);
 
 /// A stage on one level of the pyramid; kNoLevel where it has no levels, or for their sum.
 inline constexpr int kNoLevel = -1;
 struct StageOfLevel {
-  Stage stage = Stage::kFrame;
+  TimedStage stage = TimedStage::kFrame;
   int level = kNoLevel;
   friend bool operator<(const StageOfLevel& a, const StageOfLevel& b) {
     return a.stage != b.stage ? a.stage < b.stage : a.level < b.level;
   }
 };
 
-/// What the search did.
-struct SearchCounts {
-  std::uint64_t distances = 0;  ///< patch distances begun
-  std::uint64_t samples = 0;    ///< window samples they read before they stopped
-};
-
 /// What was spent on a stage.
 struct Cost {
   double wallSeconds = 0.0;
   double cpuSeconds = 0.0;  ///< of all threads
-  std::optional<SearchCounts> counts;
+  double distances = 0.0;   ///< of a search: patch distances
+  double samples = 0.0;     ///< of a search: pixels compared in them before they stopped
 
   Cost& operator+=(const Cost& other);
+  Cost& operator-=(const Cost& other);
   /// The share of each of `parts` equal parts.
   [[nodiscard]] Cost dividedBy(int parts) const;
 };
@@ -75,16 +71,19 @@ class Stopwatch {
 /// Sums up costs by stage and level.
 class StageClock {
  public:
-  /// Does the work, adds its cost, and hands on what it returns.
+  /// Does the work, adds its cost to a stage that has no levels, and hands on what it returns.
   template <typename Work>
-  auto time(Stage stage, int level, const Work& work) {
-    const Adder adder(*this, {stage, level});
+  auto time(TimedStage stage, const Work& work) {
+    const Adder adder(*this, {stage, kNoLevel});
     return work();
   }
 
   void add(StageOfLevel stage, const Cost& cost) { costs_[stage] += cost; }
 
   [[nodiscard]] const std::map<StageOfLevel, Cost>& costs() const { return costs_; }
+
+  /// Of all stages together.
+  [[nodiscard]] Cost sum() const;
 
  private:
   /// Adds the time of its life.

@@ -65,6 +65,8 @@ const std::vector<Reaching>& reachingOptions() {
        [](C c) {
          return c.options.synthesis.optIterations == List{5, 0, 1, 2};
        }},
+      {"--search", "everywhere",
+       [](C c) { return c.options.synthesis.searchEffort == SearchEffort::kEverywhere; }},
       {"--motion-model", "rigid",
        [](C c) { return c.options.motionModel == MotionModel::kRigidParts; }},
       {"--new-material", "fresh", [](C c) { return c.options.newMaterial == NewMaterial::kFresh; }},

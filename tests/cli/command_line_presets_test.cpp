@@ -52,6 +52,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
   EXPECT_FALSE(all.synthesis.carriesMotion);
   EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
+  EXPECT_EQ(all.synthesis.searchEffort, SearchEffort::kEverywhere);
   EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
   EXPECT_EQ(all.synthesis.prevModulation.lower, 2.0F);
   EXPECT_EQ(all.synthesis.prevModulation.unit, ModulationUnit::kPixels);
@@ -61,6 +62,10 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
   EXPECT_NE(standard.sigmaPx, 0.0F);
   EXPECT_EQ(standard.interpolation, Interpolation::kLanczos);
+  EXPECT_EQ(parse(kRequired).options.synthesis.searchEffort, SearchEffort::kWhereItChanges);
+  const SynthesisOptions focused =
+      parse(complete({"--preset", "thesis", "--search", "focused"})).options.synthesis;
+  EXPECT_EQ(focused.searchEffort, SearchEffort::kWhereItChanges);
   // Before or after it on the command line
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--vote-sigma", "2", "--lambda", "7", "--preset", "thesis"},

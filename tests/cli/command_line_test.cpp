@@ -63,6 +63,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--preset", "Paper", ": wanted standard, thesis or paper"},
       {"--shape-guide", "edge", ": wanted distance or blurred"},
       {"--segments", "1", ": wanted hard or none"},
+      {"--search", "all", ": wanted focused or everywhere"},
       {"--flow-convention", "both", ": wanted backward or forward"},
       {"--dir-weight", "-1", wantedWeight},
       {"--flow-blur-sigma", "51", wantedTimeSigma},

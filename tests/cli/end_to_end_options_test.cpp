@@ -46,7 +46,6 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--border-width", "2"},
       {"--prev-modulation-bounds", "0.5,0.25"},
       {"--lambda", "0"},
-      {"--occ-radius", "0"},
       {"--patchmatch-alpha", "0.3"},
       {"--patchmatch-iterations", "1"},
       {"--opt-iterations", "1"},
@@ -57,6 +56,12 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
     changed[option] = value;
     EXPECT_TRUE(scene.painting(changed) != standard) << option;
   }
+
+  // Uses of neighbouring frames: where they are many enough to decide something
+  ToolOptions uniform = {{"--src-frames", "4"}, {"--lambda", "20"}};
+  const Painting standardUses = scene.painting(uniform);
+  uniform["--occ-radius"] = "0";
+  EXPECT_TRUE(scene.painting(uniform) != standardUses);
 }
 
 TEST(EndToEndFrames, TheCompressionLevelChangesTheFilesAndNoPixel) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "fluidymation/core/random.h"
 #include "fluidymation/guides/mask.h"
@@ -71,6 +72,15 @@ Image<Lab> paintedDisc(const GrowingDisc& disc, int frame, std::uint64_t seed) {
         picture(x, y).l -= kRimDarkening * std::max(0.0F, 1.0F - distance / kRimPx);
       }
     }
+  }
+  return picture;
+}
+
+Image<FixedLab> fixedPicture(const Image<Lab>& color, const Image<Segment>& segment) {
+  Image<FixedLab> picture(color.size());
+  for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+    if (segment.data()[i] == Segment::kOutside) continue;
+    picture.data()[i] = FixedLab::of(color.data()[i]);
   }
   return picture;
 }

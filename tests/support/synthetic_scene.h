@@ -6,6 +6,7 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/synthesis/exemplar.h"
+#include "fluidymation/synthesis/texel.h"
 
 namespace fluidymation::test {
 
@@ -28,6 +29,10 @@ struct GrowingDisc {
 
 /// A medium painted on a growing disc: static grain, darker towards the rim that moves outwards.
 [[nodiscard]] Image<Lab> paintedDisc(const GrowingDisc& disc, int frame, std::uint64_t seed);
+
+/// A target's picture: the colours in fixed point where the segment is not Segment::kOutside, none
+/// elsewhere.
+[[nodiscard]] Image<FixedLab> fixedPicture(const Image<Lab>& color, const Image<Segment>& segment);
 
 /// An exemplar of a growing disc, with as many levels as wanted.
 [[nodiscard]] Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx,

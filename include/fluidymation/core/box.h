@@ -18,6 +18,10 @@ struct Box {
   [[nodiscard]] Pixel begin() const { return {beginX, beginY}; }
   [[nodiscard]] Size size() const { return {endX - beginX, endY - beginY}; }
   [[nodiscard]] bool empty() const { return endX <= beginX || endY <= beginY; }
+
+  friend bool operator==(const Box& a, const Box& b) {
+    return a.beginX == b.beginX && a.beginY == b.beginY && a.endX == b.endX && a.endY == b.endY;
+  }
 };
 
 /// The box grown by `margin` pixels on every side, as far as an image of `size` reaches. An empty
@@ -32,6 +36,14 @@ struct Box {
 /// lie within the box as they lie within the image.
 [[nodiscard]] inline Box fromEvenPixel(const Box& box) {
   return {box.beginX - box.beginX % 2, box.beginY - box.beginY % 2, box.endX, box.endY};
+}
+
+/// The box with its ends moved outwards to multiples of `step`, as far as an image of `size`
+/// reaches: blocks of step x step pixels then lie within the box as they lie within the image.
+[[nodiscard]] inline Box alignedTo(const Box& box, int step, Size size) {
+  const auto up = [step](int end) { return (end + step - 1) / step * step; };
+  return {box.beginX - box.beginX % step, box.beginY - box.beginY % step,
+          std::min(up(box.endX), size.width), std::min(up(box.endY), size.height)};
 }
 
 /// The smallest box that holds two others.
@@ -72,6 +84,20 @@ template <typename T>
   Image<T> part(box.size());
   for (int y = 0; y < part.height(); ++y) {
     std::copy_n(image.row(box.beginY + y) + box.beginX, part.width(), part.row(y));
+  }
+  return part;
+}
+
+/// What of an image that shows `from` lies in `to`; T{} where it shows nothing.
+template <typename T>
+[[nodiscard]] Image<T> recropped(const Image<T>& image, const Box& from, const Box& to) {
+  Image<T> part(to.size());
+  const int left = std::max(from.beginX, to.beginX);
+  const int right = std::min(from.endX, to.endX);
+  if (right <= left) return part;
+  for (int y = std::max(from.beginY, to.beginY); y < std::min(from.endY, to.endY); ++y) {
+    std::copy_n(image.row(y - from.beginY) + (left - from.beginX), right - left,
+                part.row(y - to.beginY) + (left - to.beginX));
   }
   return part;
 }

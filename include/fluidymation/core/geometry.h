@@ -6,6 +6,13 @@ namespace fluidymation {
 
 inline constexpr float kTwoPi = 6.2831853F;
 
+/// The largest integer that is not above `value`, which must fit an int. Inline, unlike std::floor
+/// where the instruction set has no rounding.
+[[nodiscard]] inline int floorToInt(float value) {
+  const int towardsZero = static_cast<int>(value);
+  return towardsZero - (value < static_cast<float>(towardsZero) ? 1 : 0);
+}
+
 /// Width and height in pixels.
 struct Size {
   int width = 0;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 
 namespace fluidymation {
 
@@ -20,17 +19,23 @@ struct RandomKey {
 /// SplitMix64 (Steele et al. 2014).
 class Random {
  public:
-  explicit Random(const RandomKey& key) {
-    state_ = mix(key.seed);
-    for (const int part : {key.frame, key.level, key.pass, key.x, key.y}) {
-      state_ = mix(state_ + kGamma + static_cast<std::uint32_t>(part));
-    }
-  }
+  explicit Random(const RandomKey& key)
+      : Random(ofPass(key.seed, key.frame, key.level, key.pass).at(key.x, key.y)) {}
 
-  [[nodiscard]] std::uint32_t next() {
-    state_ += kGamma;
-    return static_cast<std::uint32_t>(mix(state_) >> 32U);
+  /// What the numbers of all pixels of one pass have in common: `ofPass(...).at(x, y)` are those of
+  /// the key with all six.
+  [[nodiscard]] static Random ofPass(std::uint64_t seed, int frame, int level, int pass) {
+    Random random;
+    random.state_ = mix(seed);
+    return random.with(frame).with(level).with(pass);
   }
+  [[nodiscard]] Random at(int x, int y) const { return with(x).with(y); }
+
+  [[nodiscard]] std::uint64_t next64() {
+    state_ += kGamma;
+    return mix(state_);
+  }
+  [[nodiscard]] std::uint32_t next() { return static_cast<std::uint32_t>(next64() >> 32U); }
 
   /// Uniform in low..high, both included.
   [[nodiscard]] int uniform(int low, int high) {
@@ -46,6 +51,13 @@ class Random {
   }
 
  private:
+  Random() = default;
+  [[nodiscard]] Random with(int part) const {
+    Random random;
+    random.state_ = mix(state_ + kGamma + static_cast<std::uint32_t>(part));
+    return random;
+  }
+
   static constexpr std::uint64_t kGamma =
       0x9E3779B97F4A7C15ULL;  // odd, close to 2^64 / golden ratio
 

@@ -68,6 +68,13 @@ class ExtentScale {
 
   [[nodiscard]] bool isOfAges() const { return ofAges_; }
 
+  /// Steps per unit when scaled extents are kept in fixed point, see FixedGuides: as fine as the
+  /// largest of them allow. Without a bound 1023 units, 3000 px of movement, are told apart.
+  [[nodiscard]] float stepsPerUnit() const {
+    if (ofAges_) return 512.0F;
+    return halfPx_ > 0.0F ? 2048.0F : 16.0F;
+  }
+
   [[nodiscard]] float operator()(float extentPx) const {
     if (ofAges_) {
       if (oldestFrames_ <= 0.0F) return 0.0F;

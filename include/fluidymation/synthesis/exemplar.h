@@ -10,9 +10,9 @@
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/channels.h"
-#include "fluidymation/synthesis/lanes.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/pyramid.h"
+#include "fluidymation/synthesis/texel.h"
 
 namespace fluidymation {
 
@@ -34,13 +34,38 @@ class ExemplarLevel {
   [[nodiscard]] int frameCount() const { return frameCount_; }
   [[nodiscard]] float borderWidthPx() const { return borderWidthPx_; }
 
-  [[nodiscard]] const Lanes* frame(int k) const { return pixels_.data() + offset(0, 0, k); }
-  [[nodiscard]] const Lanes& pixel(int x, int y, int k) const { return pixels_[offset(x, y, k)]; }
+  /// The texel at (x, y) of frame k. The edge is repeated beyond the image, so that windows of
+  /// matches in the image can be read without a look at its bounds: x in
+  /// [-kMarginPx, width + kMarginPx), y likewise.
+  [[nodiscard]] const Texel& texel(int x, int y, int k) const { return texels_[padded(x, y, k)]; }
+  /// Texels from row to row.
+  [[nodiscard]] int stride() const { return size_.width + 2 * kMarginPx; }
+  static constexpr int kMarginPx = 5;  ///< a turned window's reach, interpolation, half a pixel
+
+  /// Asks the cache for what `isLegal` reads.
+  void prefetchSegment(int x, int y, int k) const {
+    __builtin_prefetch(&segments_[offset(x, y, k)]);
+  }
+  /// Asks the cache for what a comparison with a window round (x, y) reads first.
+  void prefetchWindow(int x, int y, int k) const {
+    __builtin_prefetch(&directions_[offset(x, y, k)]);
+    const Texel* left = &texel(x - kPatchRadius, y - kPatchRadius, k);
+    for (int row = 0; row < kPatchSize; ++row, left += stride()) {
+      __builtin_prefetch(left);
+      __builtin_prefetch(left + kPatchSize - 1);
+    }
+  }
+
   [[nodiscard]] Segment segment(int x, int y, int k) const { return segments_[offset(x, y, k)]; }
   [[nodiscard]] Vec2 direction(int x, int y, int k) const {
-    const Lanes& p = pixel(x, y, k);
-    return {p[kDirectionX], p[kDirectionY]};
+    constexpr float kUnit = 1.0F / kDirectionSteps;
+    const FixedDirection d = directions_[offset(x, y, k)];
+    return {kUnit * static_cast<float>(d.x), kUnit * static_cast<float>(d.y)};
   }
+  /// One channel of the pixel at (x, y) in the image, in its own unit.
+  [[nodiscard]] float value(int x, int y, int k, Channel channel) const;
+  /// Of the extents' fixed point.
+  [[nodiscard]] float extentSteps() const { return extentSteps_; }
 
   /// Whether (x, y) of frame k may be a match's centre for a target pixel of `wanted`: inside the
   /// image, inside the mask and in that segment. When the exemplar lacks one of the segments at
@@ -66,7 +91,7 @@ class ExemplarLevel {
   /// Distance to the edge as the temporal modulation compares it: clamped at the border width, or
   /// unclamped and then infinite in frames without an edge.
   [[nodiscard]] float modulationDistancePx(int x, int y, int k) const {
-    return distancesPx_.empty() ? pixel(x, y, k)[kEdge] / kEdgeScale * borderWidthPx_
+    return distancesPx_.empty() ? value(x, y, k, kEdge) / kEdgeScale * borderWidthPx_
                                 : distancesPx_[offset(x, y, k)];
   }
 
@@ -89,6 +114,23 @@ class ExemplarLevel {
            static_cast<std::size_t>(x);
   }
 
+  [[nodiscard]] std::size_t padded(int x, int y, int k) const {
+    const std::ptrdiff_t row =
+        static_cast<std::ptrdiff_t>(k) * (size_.height + 2 * kMarginPx) + y + kMarginPx;
+    return static_cast<std::size_t>(row * stride() + x + kMarginPx);
+  }
+
+  /// Sets a pixel's texel, and those of the margin that repeat it, by `set(texel)`.
+  template <typename Set>
+  void setTexels(int x, int y, int k, const Set& set);
+
+  /// Components of a unit vector in steps of 1 / kDirectionSteps.
+  struct FixedDirection {
+    std::int16_t x = 0;
+    std::int16_t y = 0;
+  };
+  static constexpr float kDirectionSteps = 16383.0F;
+
   /// Whether a match has to stay in its segment.
   [[nodiscard]] bool constrained() const { return segmented_ && rules_.hardSegments; }
 
@@ -99,7 +141,10 @@ class ExemplarLevel {
   bool segmented_ = true;
   bool comparesAges_ = false;
   std::vector<float> distancesPx_;  ///< empty where the edge guide tells them
-  std::vector<Lanes> pixels_;
+  float extentSteps_ = 1.0F;
+  std::vector<Texel> texels_;    ///< with margins
+  std::vector<Vec2> extentsPx_;  ///< ext+ and ext- until `finish`, which scales them
+  std::vector<FixedDirection> directions_;
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> borderPixels_;
   std::vector<std::uint32_t> interiorPixels_;

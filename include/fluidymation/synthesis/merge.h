@@ -14,10 +14,11 @@ namespace fluidymation {
 /// @param problem     its `target` is `target`; the search's place does not matter.
 /// @param upscaled    matches of the coarser level.
 /// @param downscaled  matches of the previous frame, shifted; same size.
-/// @param target      its `picture` is overwritten; everything else is read.
+/// @param target      its `picture` is overwritten; everything else is read, `previous` as the vote
+///   of `downscaled` (`setPrevious`).
 [[nodiscard]] NearestNeighborField merge(const SearchProblem& problem,
                                          const DistanceWeights& weights,
-                                         const NearestNeighborField& upscaled,
+                                         NearestNeighborField upscaled,
                                          const NearestNeighborField& downscaled,
                                          TargetLevel& target);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "fluidymation/core/image.h"
@@ -16,8 +15,8 @@ struct Match {
   Rotation rotation;        ///< R_theta turns source directions into target directions
 
   [[nodiscard]] bool exists() const { return frame >= 0; }
-  [[nodiscard]] int nearestX() const { return static_cast<int>(std::floor(x + 0.5F)); }
-  [[nodiscard]] int nearestY() const { return static_cast<int>(std::floor(y + 0.5F)); }
+  [[nodiscard]] int nearestX() const { return floorToInt(x + 0.5F); }
+  [[nodiscard]] int nearestY() const { return floorToInt(y + 0.5F); }
 
   /// The match that continues this one `step` target pixels further.
   [[nodiscard]] Match moved(Vec2 step) const {
@@ -25,6 +24,18 @@ struct Match {
     return {x + sourceStep.x, y + sourceStep.y, frame, rotation};
   }
 };
+
+/// Whether two matches read the same window of the exemplar but for a rounding error.
+[[nodiscard]] inline bool areAlike(const Match& a, const Match& b) {
+  constexpr float kAlikePx = 1.0F / 256.0F;
+  constexpr float kAlikeTurn = 1.0F / 1024.0F;  // moves a window's corner by kAlikePx at most
+  const auto near = [](float u, float v, float tolerance) {
+    return u - v < tolerance && v - u < tolerance;
+  };
+  return a.frame == b.frame && near(a.x, b.x, kAlikePx) && near(a.y, b.y, kAlikePx) &&
+         near(a.rotation.cosine, b.rotation.cosine, kAlikeTurn) &&
+         near(a.rotation.sine, b.rotation.sine, kAlikeTurn);
+}
 
 /// Whether source and target move roughly in opposite directions under a match (thesis §3.5). Unit
 /// directions are compared, so that material at rest keeps the answer of its last movement.
@@ -40,6 +51,7 @@ using NearestNeighborField = Image<Match>;
 struct Place {
   int frame = 0;
   int level = 0;
+  Pixel origin;  ///< of the images at work within the level's: only a box round the mask is
 };
 
 }  // namespace fluidymation

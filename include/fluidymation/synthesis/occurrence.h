@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,12 +37,17 @@ class OccurrenceMap {
 
   /// Sum of Omega over the n x n window centred on (x, y) of frame k: n^2 Omega(window).
   [[nodiscard]] std::int32_t windowSum(int x, int y, int k) const { return sums_[index(x, y, k)]; }
+  /// Asks the cache for it.
+  void prefetch(int x, int y, int k) const { __builtin_prefetch(&sums_[index(x, y, k)]); }
   /// The same at the nearest pixel of a match, clamped to the image.
   [[nodiscard]] std::int32_t windowSum(const Match& match) const;
 
   /// What one use at `used` adds to the window sum at `centre`, both at their nearest pixels: n^2
   /// at its own place, less where either window is cut by the image, 0 where they do not meet.
   [[nodiscard]] std::int32_t contribution(const Match& used, const Match& centre) const;
+  /// The same for places in the image.
+  [[nodiscard]] std::int32_t contribution(int usedX, int usedY, int usedFrame, int x, int y,
+                                          int frame) const;
 
   /// Mean of Omega(window) over `pixels` (volume indices) if each of them were used once.
   [[nodiscard]] static double meanOfUniformUse(const ExemplarLevel& exemplar,
@@ -55,15 +63,73 @@ class OccurrenceMap {
   }
   /// Turns counts of matches at their own places into window sums.
   void filter();
-  void spreadOverFrames();
-  void boxAlongX();
-  void boxAlongY();
+  void spreadOverFrames(int y);
 
   Size size_;
   int frameCount_;
   int radiusFrames_;
-  std::vector<std::int32_t> sums_;     ///< frames side by side: an update touches contiguous runs
-  std::vector<std::int32_t> scratch_;  ///< second buffer of the filters
+  std::vector<std::int32_t> sums_;  ///< frames side by side: filters run along contiguous vectors
+};
+
+/// What a few changed matches add to the window sums of an OccurrenceMap, cheap to keep: exact in
+/// the plane, while frames are counted by groups, of which a sum takes the share that lies within
+/// the box's reach.
+class UseChanges {
+ public:
+  UseChanges(Size size, int frameCount, int radiusFrames);
+
+  /// Frames that are counted as one: a third of the box.
+  [[nodiscard]] static int framesPerGroup(int frameCount, int radiusFrames) {
+    return std::max((2 * std::min(radiusFrames, frameCount) + 1) / kGroupsPerBox, 1);
+  }
+
+  /// Counts one match more or less at its nearest pixel, clamped to the image: `delta` is +1 or -1.
+  void add(const Match& match, int delta);
+
+  /// Sets all to zero.
+  void clear() { std::fill(sums_.begin(), sums_.end(), 0); }
+  /// Whether that costs less than so many calls of `add`.
+  [[nodiscard]] bool isCheaperToClear(std::size_t adds) const {
+    return adds * kSumsPerAdd > sums_.size();
+  }
+
+  /// Change of the window sum at (x, y) of frame k.
+  [[nodiscard]] float windowSum(int x, int y, int k) const {
+    const Reach& reach = reaches_[static_cast<std::size_t>(k)];
+    const std::int32_t* at = sums_.data() + index(x, y, reach.firstGroup);
+    float sum = 0.0F;
+    for (int g = 0; g < reach.groups; ++g, at += plane_) {
+      sum += reach.share[static_cast<std::size_t>(g)] * static_cast<float>(*at);
+    }
+    return sum;
+  }
+
+ private:
+  /// Groups on which a box of 2 radius + 1 frames is spread. Three are nearly as good as all
+  /// frames.
+  static constexpr int kGroupsPerBox = 3;
+  static constexpr std::size_t kSumsPerAdd = 81;         ///< 4 * kPatchRadius + 1, squared
+  static constexpr int kMostGroups = kGroupsPerBox + 2;  ///< that a box can touch
+
+  /// The groups within reach of a frame.
+  struct Reach {
+    int firstGroup = 0;
+    int groups = 0;
+    std::array<float, kMostGroups> share{};  ///< of each group's frames
+  };
+
+  [[nodiscard]] std::size_t index(int x, int y, int group) const {
+    return static_cast<std::size_t>(group) * plane_ +
+           static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  Size size_;
+  std::size_t plane_;  ///< sums of one group, row by row: an update runs along rows
+  int framesPerGroup_;
+  int groups_;
+  std::vector<Reach> reaches_;  ///< of each frame
+  std::vector<std::int32_t> sums_;
 };
 
 /// omega_best of thesis §3.3 per segment: the mean of Omega(window) over a segment's source pixels

@@ -37,8 +37,11 @@ void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf);
 
 /// Patch distance plus uniformity term of every existing match; infinite where the match is not
 /// legal or missing. Occurrence is counted from `nnf` itself.
+/// @param bounds  if given: an error that is not below its bound may be reported as infinite, which
+///   saves much of its computation. 0 where it is not wanted at all.
 [[nodiscard]] Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& weights,
-                                       const NearestNeighborField& nnf);
+                                       const NearestNeighborField& nnf,
+                                       const Image<float>* bounds = nullptr);
 
 /// Side of the tiles that are searched independently between two synchronizations, px of the
 /// level. A property of the picture: the number of threads must not show.
@@ -51,16 +54,32 @@ enum class Candidates {
                ///< cost
 };
 
+/// What a search has done.
+struct SearchStatistics {
+  std::uint64_t distances = 0;  ///< patch distances computed
+  std::uint64_t samples = 0;    ///< pixels of windows compared in them before they stopped
+
+  SearchStatistics& operator+=(const SearchStatistics& other) {
+    distances += other.distances;
+    samples += other.samples;
+    return *this;
+  }
+};
+
 /// findNNF: `iterations` sweeps of PatchMatch (thesis §2.2, §4.3, §4.4.2). All matches must be
 /// legal before; they are after.
 ///
 /// Tiles are cut from the image, never from the thread count, and the result does not depend on
-/// it: across a tile's edge neighbours are read as they were before the sweep, and occurrence
-/// is read as of before the sweep plus the tile's own changes.
+/// it: across a tile's edge neighbours are read as they were before the sweep, and occurrence is
+/// read as of before the sweep plus the tile's own changes (UseChanges).
 /// @param firstPass  number of the first sweep within this level of this frame: every sweep has its
 ///   own random numbers, and the scan order alternates with it.
-void findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
-                          int iterations, int firstPass, NearestNeighborField& nnf,
-                          Candidates candidates = Candidates::kAll);
+/// @param changing   if given: where the last sweep changed the match, nonzero; empty at first,
+///   which says that all may change. With SearchEffort::kWhereItChanges the next search on the
+///   same level draws at random only there.
+SearchStatistics findNearestNeighbors(const SearchProblem& problem, const DistanceWeights& weights,
+                                      int iterations, int firstPass, NearestNeighborField& nnf,
+                                      Candidates candidates = Candidates::kAll,
+                                      Mask* changing = nullptr);
 
 }  // namespace fluidymation

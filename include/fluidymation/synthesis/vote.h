@@ -4,20 +4,23 @@
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/texel.h"
 
 namespace fluidymation {
 
 struct VotedPicture {
   Image<Lab> color;
-  Mask exists;  ///< pixels inside the mask that at least one window covers
+  Mask exists;  ///< wanted pixels that at least one window covers
 };
 
 /// The voting step (thesis §2.1.2): every pixel q inside becomes the mean, over the windows that
 /// cover it, of their source pixel at q: (x, y)_n + R_-theta_n (q - n), bilinear. Windows without a
-/// match do not vote. Colours are averaged in CIELAB, the space in which they are compared.
+/// match do not vote. Colours are averaged in CIELAB, the space in which they are compared, in
+/// fixed point: sums are exact, and do not depend on their order.
 /// @param segment  the picture is wanted where it is not Segment::kOutside; size of `nnf`.
-[[nodiscard]] VotedPicture vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
-                                const NearestNeighborField& nnf);
+/// @return  no colour where it is not wanted or no window covers it.
+[[nodiscard]] Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
+                                   const NearestNeighborField& nnf);
 
 /// The vote that is painted. Twenty-five turned and interpolated windows blur whatever they do not
 /// agree on; weighting a window by the distance of its centre and reading between pixels with a

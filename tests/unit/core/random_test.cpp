@@ -26,6 +26,19 @@ TEST(Random, EveryPartOfTheKeyMatters) {
   EXPECT_EQ(first.size(), 7U);
 }
 
+TEST(Random, ThePixelsOfASourceHaveTheNumbersOfTheirKeys) {
+  for (const RandomKey& key :
+       {RandomKey{}, RandomKey{7, 1, 2, 3, 4, 5}, RandomKey{0xFEDCBA9876543210U, 49, 3, -2, -1, 0},
+        RandomKey{1, 0, 0, 0, 4095, 2159}}) {
+    const Random source = Random::ofPass(key.seed, key.frame, key.level, key.pass);
+    Random other = source.at(key.x + 1, key.y);  // takes nothing from the source
+    (void)other.next64();
+    Random ofPixel = source.at(key.x, key.y);
+    Random ofKey(key);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(ofPixel.next64(), ofKey.next64());
+  }
+}
+
 TEST(Random, NeighbouringPixelsAreUniformAndUncorrelated) {
   // Chi-square over 16 bins for the first number of 64 x 64 neighbouring pixels: 15 degrees of
   // freedom, 37.7 is the 0.1 % point.
@@ -42,7 +55,7 @@ TEST(Random, NeighbouringPixelsAreUniformAndUncorrelated) {
 }
 
 TEST(Random, UniformReachesBothEndsAndNeverLeaves) {
-  Random random({});
+  Random random(RandomKey{});
   bool low = false;
   bool high = false;
   for (int i = 0; i < 1000; ++i) {

@@ -13,7 +13,7 @@ constexpr float kBorderWidthPx = 5.0F;
 class MergeTest : public ::testing::Test {
  protected:
   [[nodiscard]] SearchProblem problem() const {
-    return {exemplar_.level(0), expectedUse_, target_, options_, Place{0, 0}};
+    return {exemplar_.level(0), expectedUse_, target_, options_, Place{}};
   }
 
   [[nodiscard]] NearestNeighborField field(int pass) const {
@@ -22,9 +22,19 @@ class MergeTest : public ::testing::Test {
     return nnf;
   }
 
+  [[nodiscard]] Image<FixedLab> voteOf(const NearestNeighborField& nnf) const {
+    return vote(exemplar_.level(0), target_.segment, nnf);
+  }
+
+  [[nodiscard]] NearestNeighborField merged(const NearestNeighborField& upscaled,
+                                            const NearestNeighborField& downscaled) {
+    target_.previous = voteOf(downscaled);  // as setPrevious leaves it
+    return merge(problem(), weights_, upscaled.clone(), downscaled, target_);
+  }
+
   /// Errors of a field against its own vote.
   [[nodiscard]] Image<float> errorsOf(const NearestNeighborField& nnf) {
-    target_.picture = vote(exemplar_.level(0), target_.segment, nnf).color;
+    target_.picture = voteOf(nnf);
     return matchErrors(problem(), weights_, nnf);
   }
 
@@ -44,14 +54,14 @@ TEST_F(MergeTest, EveryPixelKeepsTheMatchWithTheSmallerErrorOfItsOwnField) {
   const NearestNeighborField b = field(2);
   const Image<float> errorsOfA = errorsOf(a);
   const Image<float> errorsOfB = errorsOf(b);
-  const NearestNeighborField merged = merge(problem(), weights_, a, b, target_);
+  const NearestNeighborField both = merged(a, b);
   int fromA = 0;
   int fromB = 0;
-  for (int y = 0; y < merged.height(); ++y) {
-    for (int x = 0; x < merged.width(); ++x) {
+  for (int y = 0; y < both.height(); ++y) {
+    for (int x = 0; x < both.width(); ++x) {
       if (!target_.inside(x, y)) continue;
       const bool takesB = errorsOfB(x, y) < errorsOfA(x, y);
-      EXPECT_TRUE(same(merged(x, y), takesB ? b(x, y) : a(x, y))) << x << ", " << y;
+      EXPECT_TRUE(same(both(x, y), takesB ? b(x, y) : a(x, y))) << x << ", " << y;
       ++(takesB ? fromB : fromA);
     }
   }
@@ -69,12 +79,12 @@ TEST_F(MergeTest, MissingAndIllegalMatchesLose) {
       if (x % 2 == 1) b(x, y) = Match{0.0F, 0.0F, 0, {}};  // outside the exemplar's mask
     }
   }
-  const NearestNeighborField merged = merge(problem(), weights_, a, b, target_);
-  const NearestNeighborField exchanged = merge(problem(), weights_, b, a, target_);
-  for (int y = 0; y < merged.height(); ++y) {
-    for (int x = 0; x < merged.width(); ++x) {
+  const NearestNeighborField both = merged(a, b);
+  const NearestNeighborField exchanged = merged(b, a);
+  for (int y = 0; y < both.height(); ++y) {
+    for (int x = 0; x < both.width(); ++x) {
       if (!target_.inside(x, y)) continue;
-      EXPECT_TRUE(same(merged(x, y), a(x, y)));
+      EXPECT_TRUE(same(both(x, y), a(x, y)));
       EXPECT_TRUE(same(exchanged(x, y), a(x, y)));
     }
   }
@@ -86,9 +96,9 @@ TEST_F(MergeTest, WhereThePreviousFrameDoesNotReachThePictureGoesOn) {
   for (int y = 0; y < b.height(); ++y) {
     for (int x = 24; x < b.width(); ++x) b(x, y) = Match{};
   }
-  const Image<Lab> left = vote(exemplar_.level(0), target_.segment, b).color;
-  const Image<Lab> right = vote(exemplar_.level(0), target_.segment, a).color;
-  (void)merge(problem(), weights_, a, b, target_);
+  const Image<FixedLab> left = voteOf(b);
+  const Image<FixedLab> right = voteOf(a);
+  (void)merged(a, b);
   // A window reaches kPatchRadius: pixels from 26 on have no vote of the previous frame
   EXPECT_EQ(target_.picture(20, 22).l, left(20, 22).l);
   EXPECT_EQ(target_.picture(30, 22).l, right(30, 22).l);

@@ -204,11 +204,14 @@ TEST(NewMaterial, ComparesAgesAsSharesOfTheFilmsAndNotTheDirections) {
   const auto cost = [&](int frame, const Rotation& rotation) {
     return distance(window, Match{32.0F, 28.0F, frame, rotation}, 1e9F);
   };
-  EXPECT_NEAR(cost(7, along), 0.0F, 1e-6F);
-  EXPECT_NEAR(cost(7, along.opposite()), 0.0F, 1e-6F);
-  const float step = kLargestAge / static_cast<float>(kFilmFrames - 1);
-  EXPECT_NEAR(cost(4, along), 9.0F * step * step, 1e-3F);
-  EXPECT_NEAR(cost(4, along.opposite()), 9.0F * step * step, 1e-3F);
+  EXPECT_EQ(cost(7, along), 0.0F);
+  EXPECT_EQ(cost(7, along.opposite()), 0.0F);
+  // Three frames older; both ages are rounded by half a step at most
+  const float older = 3.0F * kLargestAge / static_cast<float>(kFilmFrames - 1);
+  const float error = 1.0F / exemplar.extentScale().stepsPerUnit();
+  const float tolerance = (2.0F * older + error) * error;
+  EXPECT_NEAR(cost(4, along), older * older, tolerance);
+  EXPECT_NEAR(cost(4, along.opposite()), older * older, tolerance);
 }
 
 }  // namespace

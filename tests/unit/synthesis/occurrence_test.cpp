@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <vector>
 
@@ -109,6 +112,126 @@ TEST(Occurrence, RadiusBeyondTheSequenceCoversAllFrames) {
   OccurrenceMap map(kSize, kFrames, 1000);
   map.add(Match{5.0F, 4.0F, 3, Rotation{}}, +1);
   for (int k = 0; k < kFrames; ++k) EXPECT_EQ(map.windowSum(5, 4, k), kPatchArea);
+}
+
+/// `sum(x, y, k)` and `expected(x, y, k)` are at most `tolerance(x, y, k)` apart.
+template <typename Sum, typename Expected, typename Tolerance>
+void expectSumsNear(Size size, int frames, const Sum& sum, const Expected& expected,
+                    const Tolerance& tolerance) {
+  for (int k = 0; k < frames; ++k) {
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        ASSERT_NEAR(sum(x, y, k), expected(x, y, k), tolerance(x, y, k))
+            << x << ' ' << y << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(UseChanges, AreThoseOfTheMapWhereGroupsAreFramesAndWhereTheBoxCoversAllFrames) {
+  // Three groups a box: up to radius 2 of one frame each
+  for (const int radius : {0, 1, 2, kFrames - 1, kFrames, 1000}) {
+    SCOPED_TRACE(radius);
+    NearestNeighborField nnf = randomMatches(40, 9);
+    const NearestNeighborField replacement = randomMatches(40, 10);
+    OccurrenceMap before(kSize, kFrames, radius);
+    before.rebuild(nnf);
+    UseChanges changes(kSize, kFrames, radius);
+    for (int i = 0; i < 40; i += 3) {
+      changes.add(nnf(i, 0), -1);
+      nnf(i, 0) = replacement(i, 0);
+      changes.add(nnf(i, 0), +1);
+    }
+    OccurrenceMap after(kSize, kFrames, radius);
+    after.rebuild(nnf);
+    expectSumsNear(
+        kSize, kFrames, [&](int x, int y, int k) { return changes.windowSum(x, y, k); },
+        [&](int x, int y, int k) { return after.windowSum(x, y, k) - before.windowSum(x, y, k); },
+        [](int, int, int) { return 0.0; });
+  }
+}
+
+/// A longer exemplar, in which boxes are cut into groups of several frames.
+constexpr int kManyFrames = 31;
+/// Frames of a group, a third of the box.
+constexpr int groupFrames(int radius) { return (2 * radius + 1) / 3; }
+
+TEST(UseChanges, AMatchIsCountedExactlyButNearTheEndsOfTheBox) {
+  for (const int radius : {3, 5, 10}) {
+    // Groups that lie within the box as a whole, and those beyond it, are exact. Of others a share
+    // is taken, at least one frame and at most all but one: that is off by less than one use.
+    const int group = groupFrames(radius);
+    ASSERT_GT(group, 1);
+    const double worst = 1.0 - 1.0 / group;
+    for (int frame = 0; frame < kManyFrames; ++frame) {
+      const Match used{9.2F, 3.7F, frame, Rotation{}};
+      UseChanges changes(kSize, kManyFrames, radius);
+      changes.add(used, +1);
+      OccurrenceMap map(kSize, kManyFrames, radius);
+      map.add(used, +1);
+      const OccurrenceMap everywhere = [&] {  // as if each box covered all frames
+        OccurrenceMap all(kSize, kManyFrames, kManyFrames);
+        all.add(used, +1);
+        return all;
+      }();
+      expectSumsNear(
+          kSize, kManyFrames, [&](int x, int y, int k) { return changes.windowSum(x, y, k); },
+          [&](int x, int y, int k) { return map.windowSum(x, y, k); },
+          [&](int x, int y, int k) {
+            const int apart = std::abs(k - frame);
+            const bool nearTheEnd = apart > radius - group && apart < radius + group;
+            // Shares are rounded to single precision, and so are their products
+            return nearTheEnd ? (worst + 0x1p-22) * everywhere.windowSum(x, y, k) : 0.0;
+          });
+    }
+  }
+}
+
+TEST(UseChanges, UsesInAllFramesAddUpToThoseOfTheMap) {
+  // What a share of a group leaves out of one frame it gives to the others
+  for (const int radius : {3, 5, 10, 14}) {
+    SCOPED_TRACE(radius);
+    UseChanges changes(kSize, kManyFrames, radius);
+    OccurrenceMap map(kSize, kManyFrames, radius);
+    for (int frame = 0; frame < kManyFrames; ++frame) {
+      const Match used{4.0F, 5.0F, frame, Rotation{}};
+      changes.add(used, +1);
+      map.add(used, +1);
+    }
+    expectSumsNear(
+        kSize, kManyFrames, [&](int x, int y, int k) { return changes.windowSum(x, y, k); },
+        [&](int x, int y, int k) { return map.windowSum(x, y, k); },
+        // At most five groups, each with a rounded share, product and sum
+        [&](int x, int y, int k) { return 3 * 5 * 0x1p-24 * map.windowSum(x, y, k); });
+  }
+}
+
+TEST(UseChanges, TakenBackOrClearedTheyAreZero) {
+  const NearestNeighborField nnf = randomMatches(40, 11);
+  const auto zero = [](int, int, int) { return 0.0; };
+  for (const int radius : {0, 2, 5, 1000}) {
+    SCOPED_TRACE(radius);
+    UseChanges changes(kSize, kManyFrames, radius);
+    const auto sum = [&](int x, int y, int k) { return changes.windowSum(x, y, k); };
+    for (const Match& match : nnf) changes.add(match, +1);
+    for (const Match& match : nnf) changes.add(match, -1);
+    expectSumsNear(kSize, kManyFrames, sum, zero, zero);
+    for (const Match& match : nnf) changes.add(match, +1);
+    changes.clear();
+    expectSumsNear(kSize, kManyFrames, sum, zero, zero);
+  }
+}
+
+TEST(UseChanges, ClearingIsCheaperFromSomeNumberOfChangesOn) {
+  const UseChanges changes(kSize, kFrames, kRadius);
+  EXPECT_FALSE(changes.isCheaperToClear(0));
+  bool before = false;
+  for (std::size_t adds = 0; adds < 1000; ++adds) {
+    const bool cheaper = changes.isCheaperToClear(adds);
+    ASSERT_TRUE(cheaper || !before) << adds;
+    before = cheaper;
+  }
+  EXPECT_TRUE(before);
 }
 
 TEST(Occurrence, ExpectedUseIsTheMeanUnderUniformUse) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluidymation/core/random.h"
+#include "support/fixed_point.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {
@@ -16,23 +17,12 @@ namespace {
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr float kBorderWidthPx = 5.0F;
 
-double square(double v) { return v * v; }
-
-double slowSample(const ExemplarLevel& level, int frame, double x, double y, int channel) {
-  x = std::clamp(x, 0.0, level.size().width - 1.0);
-  y = std::clamp(y, 0.0, level.size().height - 1.0);
-  const int x0 = std::min(static_cast<int>(x), std::max(0, level.size().width - 2));
-  const int y0 = std::min(static_cast<int>(y), std::max(0, level.size().height - 2));
-  const int x1 = std::min(x0 + 1, level.size().width - 1);
-  const int y1 = std::min(y0 + 1, level.size().height - 1);
-  const double fx = x - x0;
-  const double fy = y - y0;
-  const auto at = [&](int px, int py) {
-    return static_cast<double>(level.pixel(px, py, frame)[channel]);
-  };
-  return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) +
-         fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
-}
+/// Steps between the colours of two pixels of the scene at most: lightness lies within 0..100, a
+/// and b within +-15.
+constexpr double kColorRange = 100.0 * kColorSteps;
+/// Neighbours' edge guides differ by a pixel's distance, and by two at the edge: 2 kEdgeScale / 5.
+/// The extents of a disc differ by less than its 8 frames move, and drop to 0 outside.
+constexpr double kGuideRange = 8.0 * kEdgeSteps;
 
 /// P§3.2 by angles: |tan(S^dir + theta - T^dir)|, at most 10; 0 where the source has no direction.
 double slowMisalignment(double sx, double sy, const Rotation& rotation, Vec2 target) {
@@ -46,65 +36,96 @@ double slowMisalignment(double sx, double sy, const Rotation& rotation, Vec2 tar
 }
 
 /// Thesis §3.7 and P§3.2 term by term in double precision: no blending, no swapped windows, no
-/// early stop.
-double slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
-                    const DistanceWeights& w, int x, int y, const Match& match) {
+/// early stop; of the pixels as they are held in fixed point. A colour is off by the rounding of
+/// its interpolation and of the blend, a guide by that of its interpolation.
+test::Expected slowDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
+                            const DistanceWeights& w, int x, int y, const Match& match) {
+  constexpr double kColorError =
+      (test::interpolationError(kColorRange) + test::blendError(kColorRange)) / kColorSteps;
+  constexpr double kEdgeError = test::interpolationError(kGuideRange) / kEdgeSteps;
+  const double extSteps = exemplar.extentSteps();
+  const double extError = test::interpolationError(kGuideRange) / extSteps;
   const double c = match.rotation.cosine;
   const double s = match.rotation.sine;
   const Vec2 sourceDirection = exemplar.direction(match.nearestX(), match.nearestY(), match.frame);
   const Vec2 turned = match.rotation.apply(sourceDirection);
   const bool opposite = dot(turned, target.direction(x, y)) < 0.0F;
-  double color = 0.0;
+  test::Expected color;
+  test::Expected previous;
+  test::Expected guides;
+  double apart = 0.0;  // squares between the picture and the previous one
   double directions = 0.0;
-  double previous = 0.0;
-  double guides = 0.0;
+  int inside = 0;
   int colored = 0;
   int remembered = 0;
   for (int dy = -2; dy <= 2; ++dy) {
     for (int dx = -2; dx <= 2; ++dx) {
-      const auto sample = [&](int channel) {
-        return slowSample(exemplar, match.frame, match.x + c * dx + s * dy,
-                          match.y - s * dx + c * dy, channel);
+      const auto sample = [&](Channel channel) {
+        return test::slowSample(exemplar, match.frame, match.x + c * dx + s * dy,
+                                match.y - s * dx + c * dy, channel);
       };
       const int qx = x + dx;
       const int qy = y + dy;
-      const auto toColor = [&](Lab lab) {
-        return (square(sample(kLightness) - lab.l) + square(sample(kGreenRed) - lab.a) +
-                square(sample(kBlueYellow) - lab.b)) /
-               3.0;
+      const auto addColor = [&](Lab lab, test::Expected& sum) {
+        sum.addSquare(1.0 / 3.0, sample(kLightness) - lab.l, kColorError);
+        sum.addSquare(1.0 / 3.0, sample(kGreenRed) - lab.a, kColorError);
+        sum.addSquare(1.0 / 3.0, sample(kBlueYellow) - lab.b, kColorError);
       };
-      if (target.segment.contains(qx, qy) && target.inside(qx, qy)) {
-        color += toColor(target.picture(qx, qy));
-        directions += slowMisalignment(sample(kDirectionX), sample(kDirectionY), match.rotation,
-                                       target.direction(qx, qy));
+      const FixedLab t = target.segment.contains(qx, qy) ? target.picture(qx, qy) : FixedLab{};
+      const FixedLab p = target.segment.contains(qx, qy) ? target.previous(qx, qy) : FixedLab{};
+      if (t.exists()) {
+        addColor(t.lab(), color);
         ++colored;
       }
-      if (target.segment.contains(qx, qy) && target.hasPrevious(qx, qy) != 0) {
-        previous += toColor(target.previous(qx, qy));
+      if (p.exists()) {
+        addColor(p.lab(), previous);
         ++remembered;
       }
+      if (t.exists() && p.exists()) {
+        for (const float d :
+             {t.lab().l - p.lab().l, t.lab().a - p.lab().a, t.lab().b - p.lab().b}) {
+          apart += static_cast<double>(d) * static_cast<double>(d) / 3.0;
+        }
+      }
+      if (target.segment.contains(qx, qy) && target.inside(qx, qy)) {
+        directions += slowMisalignment(sample(kDirectionX), sample(kDirectionY), match.rotation,
+                                       target.direction(qx, qy));
+        ++inside;
+      }
+      const FixedGuides here = target.guides.clamped(qx, qy);
       const double forward = sample(opposite ? kExtBackward : kExtForward);
       const double backward = sample(opposite ? kExtForward : kExtBackward);
-      guides += w.dist * square(sample(kEdge) - target.edge.clamped(qx, qy)) +
-                w.flow * (square(forward - target.extForward.clamped(qx, qy)) +
-                          square(backward - target.extBackward.clamped(qx, qy)));
+      guides.addSquare(w.dist, sample(kEdge) - here.edge / static_cast<double>(kEdgeSteps),
+                       kEdgeError);
+      guides.addSquare(w.flow, forward - here.extForward / extSteps, extError);
+      guides.addSquare(w.flow, backward - here.extBackward / extSteps, extError);
     }
   }
-  double sum = w.color * color / colored + guides / 25.0 + w.dir * directions / colored;
-  if (remembered > 0) sum += target.modulation(x, y) * w.prev * previous / remembered;
+  test::Expected sum;
+  const double ofColor = colored > 0 ? static_cast<double>(w.color) / colored : 0.0;
+  sum.add(ofColor, color);
+  sum.tolerance += ofColor * test::kBlendSlip * apart;  // the window's constant
+  sum.add(1.0 / kPatchArea, guides);
+  if (remembered > 0) {
+    const double ofPrevious = static_cast<double>(target.modulation(x, y)) * w.prev;
+    sum.add(ofPrevious / remembered, previous);
+  }
+  // Near 84.3 degrees, where the clamp begins, tan multiplies the angle's rounding by 100
+  const double misaligned = w.dir * directions / inside;
+  sum.value += misaligned;
+  sum.tolerance += 3e-4 * misaligned + 1e-5 * sum.value + 1e-6;  // single precision
   return sum;
 }
 
 class PatchDistanceTest : public ::testing::Test {
  protected:
   PatchDistanceTest() {
-    target_.picture = test::randomTexture(disc_.size, 11);
-    target_.previous = test::randomTexture(disc_.size, 12);
+    target_.picture = test::fixedPicture(test::randomTexture(disc_.size, 11), target_.segment);
+    target_.previous = test::fixedPicture(test::randomTexture(disc_.size, 12), target_.segment);
     for (int y = 0; y < disc_.size.height; ++y) {
       for (int x = 0; x < disc_.size.width; ++x) {
         Random random({13, 0, 0, 0, x, y});
-        target_.hasPrevious(x, y) =
-            static_cast<std::uint8_t>(target_.inside(x, y) && random.uniform(0, 3) > 0);
+        if (random.uniform(0, 3) == 0) target_.previous(x, y) = FixedLab{};
         target_.modulation(x, y) = static_cast<float>(random.uniform(0, 10)) / 10.0F;
       }
     }
@@ -118,10 +139,10 @@ class PatchDistanceTest : public ::testing::Test {
             {std::cos(angle), std::sin(angle)}};
   }
 
-  /// Expects what the twin says, to `tolerance` of it and 1e-4, of random matches at random pixels
-  /// inside, and adds what it says to `compared`.
-  void compareWithTwin(const DistanceWeights& weights, double tolerance, Random& random,
-                       std::vector<double>& compared) const {
+  /// Expects what the twin says of random matches at random pixels inside, and adds what it says
+  /// to `compared`.
+  void compareWithTwin(const DistanceWeights& weights, Random& random,
+                       std::vector<test::Expected>& compared) const {
     const PatchDistance distance(exemplar_.level(0), target_, weights);
     TargetWindow window;
     for (int i = 0; i < 2000; ++i) {
@@ -130,8 +151,8 @@ class PatchDistanceTest : public ::testing::Test {
       const Match match = randomMatch(random);
       if (!target_.inside(x, y)) continue;
       distance.gather(x, y, window);
-      const double slow = slowDistance(exemplar_.level(0), target_, weights, x, y, match);
-      ASSERT_NEAR(distance(window, match, kNever), slow, tolerance * slow + 1e-4)
+      const test::Expected slow = slowDistance(exemplar_.level(0), target_, weights, x, y, match);
+      ASSERT_NEAR(distance(window, match, kNever), slow.value, slow.tolerance)
           << "pixel " << x << ", " << y << "; match " << match.x << ", " << match.y;
       compared.push_back(slow);
     }
@@ -145,21 +166,30 @@ class PatchDistanceTest : public ::testing::Test {
 
 TEST_F(PatchDistanceTest, EqualsASlowDoublePrecisionTwin) {
   Random random({14, 0, 0, 0, 0, 0});
-  std::vector<double> compared;
-  ASSERT_NO_FATAL_FAILURE(compareWithTwin(weights_, 1e-4, random, compared));
+  std::vector<test::Expected> compared;
+  ASSERT_NO_FATAL_FAILURE(compareWithTwin(weights_, random, compared));
   EXPECT_GT(compared.size(), 500U);
+  // The twin means something: it leaves little room
+  double value = 0.0;
+  double tolerance = 0.0;
+  for (const test::Expected& e : compared) {
+    value += e.value;
+    tolerance += e.tolerance;
+  }
+  EXPECT_LT(tolerance, 0.01 * value);
 }
 
 TEST_F(PatchDistanceTest, TheDirectionTermEqualsASlowDoublePrecisionTwin) {
   const DistanceWeights onlyDirections{0.0F, 0.0F, 0.0F, 0.0F, 1.0F};
   weights_.dir = 1.5F;
   Random random({17, 0, 0, 0, 0, 0});
-  std::vector<double> compared;
+  std::vector<test::Expected> compared;
   for (const DistanceWeights& weights : {onlyDirections, weights_}) {
-    // Near 84.3 degrees, where the clamp begins, tan multiplies the angle's rounding by 100
-    ASSERT_NO_FATAL_FAILURE(compareWithTwin(weights, 3e-4, random, compared));
+    ASSERT_NO_FATAL_FAILURE(compareWithTwin(weights, random, compared));
   }
-  EXPECT_GT(std::count_if(compared.begin(), compared.end(), [](double d) { return d > 0.1; }), 500);
+  EXPECT_GT(std::count_if(compared.begin(), compared.end(),
+                          [](const test::Expected& e) { return e.value > 0.1; }),
+            500);
 }
 
 TEST_F(PatchDistanceTest, DirectionsCostNothingAlongAndAgainstAndMostAcross) {
@@ -188,20 +218,19 @@ TEST_F(PatchDistanceTest, EveryWeightSwitchesItsTermOff) {
     const PatchDistance distance(exemplar_.level(0), target_, weights);
     TargetWindow window;
     distance.gather(20, 20, window);
-    const double slow = slowDistance(exemplar_.level(0), target_, weights, 20, 20, match);
-    EXPECT_GT(slow, 0.0);
-    EXPECT_NEAR(distance(window, match, kNever), slow, 1e-4 * slow + 1e-4);
+    const test::Expected slow = slowDistance(exemplar_.level(0), target_, weights, 20, 20, match);
+    EXPECT_GT(slow.value, 2.0 * slow.tolerance);  // cannot be mistaken for 0
+    EXPECT_NEAR(distance(window, match, kNever), slow.value, slow.tolerance);
   }
 }
 
 TEST_F(PatchDistanceTest, IsZeroOnItself) {
   for (int y = 0; y < disc_.size.height; ++y) {
     for (int x = 0; x < disc_.size.width; ++x) {
-      const Lanes& pixel = exemplar_.level(0).pixel(x, y, 4);
-      target_.picture(x, y) = {pixel[kLightness], pixel[kGreenRed], pixel[kBlueYellow]};
+      if (target_.inside(x, y)) target_.picture(x, y) = exemplar_.level(0).texel(x, y, 4).color;
     }
   }
-  target_.hasPrevious = Mask(disc_.size);
+  target_.previous = Image<FixedLab>(disc_.size);
   const PatchDistance distance(exemplar_.level(0), target_, weights_);
   TargetWindow window;
   for (int y = 0; y < disc_.size.height; ++y) {
@@ -209,7 +238,7 @@ TEST_F(PatchDistanceTest, IsZeroOnItself) {
       if (!target_.inside(x, y)) continue;
       distance.gather(x, y, window);
       const Match itself{static_cast<float>(x), static_cast<float>(y), 4, Rotation{}};
-      EXPECT_NEAR(distance(window, itself, kNever), 0.0F, 1e-6F) << x << ' ' << y;
+      EXPECT_EQ(distance(window, itself, kNever), 0.0F) << x << ' ' << y;
     }
   }
 }
@@ -244,7 +273,7 @@ TEST_F(PatchDistanceTest, OppositeDirectionsExchangeTheExtents) {
   TargetWindow window;
   distance.gather(36, 12, window);
   const Match aligned{36.0F, 12.0F, 4, Rotation{}};
-  EXPECT_NEAR(distance(window, aligned, kNever), 0.0F, 1e-6F);
+  EXPECT_EQ(distance(window, aligned, kNever), 0.0F);
   const Match turned{36.0F, 12.0F, 4, Rotation{-1.0F, 0.0F}};
   EXPECT_GT(distance(window, turned, kNever), 0.1F);
 }

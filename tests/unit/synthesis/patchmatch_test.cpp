@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "fluidymation/core/random.h"
+#include "fluidymation/synthesis/vote.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {
@@ -19,10 +23,14 @@ constexpr float kBorderWidthPx = 5.0F;
 /// A small search: the target is one frame of another disc with a texture of its own.
 class PatchMatchTest : public ::testing::Test {
  protected:
-  PatchMatchTest() { target_.picture = test::randomTexture(targetDisc_.size, 21); }
+  PatchMatchTest() { target_.picture = pictureFor(target_, 21); }
+
+  [[nodiscard]] static Image<FixedLab> pictureFor(const TargetLevel& target, std::uint64_t seed) {
+    return test::fixedPicture(test::randomTexture(target.size(), seed), target.segment);
+  }
 
   [[nodiscard]] SearchProblem problem() const {
-    return {exemplar_.level(0), expectedUse_, target_, options_, Place{3, 1}};
+    return {exemplar_.level(0), expectedUse_, target_, options_, Place{3, 1, {}}};
   }
 
   [[nodiscard]] NearestNeighborField randomField() const {
@@ -66,10 +74,11 @@ TEST_F(PatchMatchTest, EveryMatchIsLegal) {
 
 TEST_F(PatchMatchTest, NoPixelGetsWorseWithoutUniformityWhileThePictureStays) {
   options_.lambda = 0.0F;
+  Mask changing;
   NearestNeighborField nnf = randomField();
   Image<float> before = matchErrors(problem(), weights_, nnf);
   for (int pass = 0; pass < 5; ++pass) {
-    findNearestNeighbors(problem(), weights_, 1, pass, nnf);
+    findNearestNeighbors(problem(), weights_, 1, pass, nnf, Candidates::kAll, &changing);
     Image<float> after = matchErrors(problem(), weights_, nnf);
     int improved = 0;
     for (int y = 0; y < nnf.height(); ++y) {
@@ -119,7 +128,7 @@ TEST_F(PatchMatchTest, WithoutColourWeightThePictureDoesNotMatter) {
   weights_ = {0.0F, 5.0F, 0.1F, 0.0F};
   NearestNeighborField first = randomField();
   findNearestNeighbors(problem(), weights_, 3, 0, first);
-  target_.picture = test::randomTexture(targetDisc_.size, 99);
+  target_.picture = pictureFor(target_, 99);
   NearestNeighborField second = randomField();
   findNearestNeighbors(problem(), weights_, 3, 0, second);
   EXPECT_EQ(std::memcmp(first.data(), second.data(), first.pixelCount() * sizeof(Match)), 0);
@@ -138,7 +147,7 @@ TEST_F(PatchMatchTest, TheOppositeRotationIsTriedToo) {
   options_.lambda = 0.0F;
   weights_ = {1.0F, 5.0F, 0.0F, 0.0F};  // no extents: they are exchanged for opposite directions
   target_ = TargetLevel(finestLevel(sourceDisc_.guides(3)), kBorderWidthPx);
-  target_.picture = test::paintedDisc(sourceDisc_, 3, 20);
+  target_.picture = test::fixedPicture(test::paintedDisc(sourceDisc_, 3, 20), target_.segment);
   for (Vec2& direction : target_.direction) direction = -1.0F * direction;
   NearestNeighborField nnf = randomField();
   findNearestNeighbors(problem(), weights_, 12, 0, nnf);
@@ -170,6 +179,41 @@ TEST_F(PatchMatchTest, TheUniformityTermIsLambdaTimesMeanUseOverExpectedUse) {
   }
 }
 
+TEST_F(PatchMatchTest, ErrorsBelowTheirBoundsAreExactAndOthersInfinite) {
+  const NearestNeighborField nnf = randomField();
+  for (const DistanceWeights& weights : {weights_, DistanceWeights{1.0F, 5.0F, 0.1F, 1.0F, 2.0F}}) {
+    const Image<float> errors = matchErrors(problem(), weights, nnf);
+    Image<float> bounds(nnf.size());
+    for (int y = 0; y < bounds.height(); ++y) {
+      for (int x = 0; x < bounds.width(); ++x) {
+        Random random({81, 0, 0, 0, x, y});
+        const int percent = random.uniform(0, 200);  // 0: not wanted; 100: not below it
+        bounds(x, y) = std::isinf(errors(x, y)) || percent == 200
+                           ? INFINITY
+                           : static_cast<float>(percent) / 100.0F * errors(x, y);
+      }
+    }
+    const Image<float> bounded = matchErrors(problem(), weights, nnf, &bounds);
+    int exact = 0;
+    int beyond = 0;
+    for (std::size_t i = 0; i < errors.pixelCount(); ++i) {
+      const float error = errors.data()[i];
+      if (error < bounds.data()[i]) {
+        ASSERT_EQ(bounded.data()[i], error);
+        ++exact;
+      } else {
+        ASSERT_EQ(bounded.data()[i], INFINITY);
+        ++beyond;
+      }
+    }
+    EXPECT_GT(exact, 1000);
+    EXPECT_GT(beyond, 1000);
+    std::fill(bounds.begin(), bounds.end(), INFINITY);
+    const Image<float> unbounded = matchErrors(problem(), weights, nnf, &bounds);
+    EXPECT_EQ(std::memcmp(unbounded.data(), errors.data(), errors.pixelCount() * sizeof(float)), 0);
+  }
+}
+
 TEST_F(PatchMatchTest, UniformityLowersTheEnergyAndSpreadsTheUse) {
   const auto mostUsed = [&](float lambda) {
     options_.lambda = lambda;
@@ -198,7 +242,7 @@ TEST_F(PatchMatchTest, TheMatchesOfASmallTargetSettle) {
   const ExpectedUse expectedUse(exemplar.level(0), options_.occRadiusFrames);
   const test::GrowingDisc small{Size{36, 36}, {18.0F, 18.0F}, 8.0F, 1.0F, 3};
   TargetLevel target(finestLevel(small.guides(1)), kBorderWidthPx);
-  target.picture = test::randomTexture(small.size, 21);
+  target.picture = pictureFor(target, 21);
   const SearchProblem few{exemplar.level(0), expectedUse, target, options_, Place{}};
   NearestNeighborField nnf(target.size());
   repair(few, -1, nnf);
@@ -272,6 +316,193 @@ TEST_F(PatchMatchTest, NeighboursAloneGiveSameBytesForAnyNumberOfThreads) {
             0);
 }
 
+bool sameBytes(const NearestNeighborField& a, const NearestNeighborField& b) {
+  return std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Match)) == 0;
+}
+
+bool sameMatch(const Match& a, const Match& b) {
+  return a.x == b.x && a.y == b.y && a.frame == b.frame && a.rotation.cosine == b.rotation.cosine &&
+         a.rotation.sine == b.rotation.sine;
+}
+
+/// A target within one tile.
+class OneTileTest : public PatchMatchTest {
+ protected:
+  OneTileTest() {
+    targetDisc_ = {Size{60, 56}, {30.0F, 28.0F}, 20.0F, 1.0F, 3};
+    target_ = TargetLevel(finestLevel(targetDisc_.guides(1)), kBorderWidthPx);
+    target_.picture = pictureFor(target_, 21);
+    options_.lambda = 0.0F;
+    options_.searchEffort = SearchEffort::kEverywhere;
+  }
+};
+
+TEST_F(OneTileTest, NotTryingAgainWhatHasLostChangesNothing) {
+  // Within one search a sweep leaves out neighbours' matches that were tried before; the first
+  // sweep of a search tries them all. The pictures being the same, so are the results, where
+  // uniformity does not change what a match costs.
+  ASSERT_LE(targetDisc_.size.width, kTileSidePx);
+  ASSERT_LE(targetDisc_.size.height, kTileSidePx);
+  constexpr int kSweeps = 8;
+  for (const Candidates candidates : {Candidates::kAll, Candidates::kNeighbors}) {
+    NearestNeighborField atOnce = randomField();
+    const SearchStatistics done =
+        findNearestNeighbors(problem(), weights_, kSweeps, 0, atOnce, candidates);
+    NearestNeighborField oneByOne = randomField();
+    SearchStatistics doneOneByOne;
+    for (int pass = 0; pass < kSweeps; ++pass) {
+      doneOneByOne += findNearestNeighbors(problem(), weights_, 1, pass, oneByOne, candidates);
+    }
+    EXPECT_TRUE(sameBytes(atOnce, oneByOne));
+    EXPECT_LT(done.distances, doneOneByOne.distances);
+  }
+}
+
+TEST_F(PatchMatchTest, NotTryingAgainWhatHasLostChangesNothingAcrossTiles) {
+  ASSERT_GT(targetDisc_.size.width, kTileSidePx);
+  ASSERT_GT(targetDisc_.size.height, kTileSidePx);
+  options_.lambda = 0.0F;
+  options_.searchEffort = SearchEffort::kEverywhere;
+  constexpr int kSweeps = 8;
+  NearestNeighborField atOnce = randomField();
+  findNearestNeighbors(problem(), weights_, kSweeps, 0, atOnce);
+  NearestNeighborField oneByOne = randomField();
+  for (int pass = 0; pass < kSweeps; ++pass) {
+    findNearestNeighbors(problem(), weights_, 1, pass, oneByOne);
+  }
+  EXPECT_TRUE(sameBytes(atOnce, oneByOne));
+}
+
+TEST_F(PatchMatchTest, LeavingSearchEffortAloneCostsLessAndLosesLittle) {
+  // Search and vote in turn, as the synthesis does
+  struct Outcome {
+    double energy = 0.0;
+    SearchStatistics statistics;
+  };
+  const auto optimized = [&](SearchEffort settled) {
+    options_.searchEffort = settled;
+    target_.picture = pictureFor(target_, 21);
+    NearestNeighborField nnf = randomField();
+    Outcome outcome;
+    Mask changing;
+    constexpr int kRounds = 3;
+    constexpr int kSweeps = 4;
+    for (int i = 0; i < kRounds; ++i) {
+      outcome.statistics += findNearestNeighbors(problem(), weights_, kSweeps, kSweeps * i, nnf,
+                                                 Candidates::kAll, &changing);
+      target_.picture = vote(exemplar_.level(0), target_.segment, nnf);
+    }
+    outcome.energy = energy(nnf);
+    return outcome;
+  };
+  const Outcome searched = optimized(SearchEffort::kEverywhere);
+  const Outcome leftAlone = optimized(SearchEffort::kWhereItChanges);
+  EXPECT_LT(leftAlone.energy, 1.05 * searched.energy);
+  EXPECT_LT(static_cast<double>(leftAlone.statistics.distances),
+            0.7 * static_cast<double>(searched.statistics.distances));
+}
+
+TEST_F(PatchMatchTest, ChangingIsWhereTheLastSweepChangedTheMatch) {
+  for (const SearchEffort settled : {SearchEffort::kEverywhere, SearchEffort::kWhereItChanges}) {
+    options_.searchEffort = settled;
+    NearestNeighborField nnf = randomField();
+    Mask changing;
+    for (int pass = 0; pass < 3; ++pass) {
+      const NearestNeighborField before = nnf.clone();
+      findNearestNeighbors(problem(), weights_, 1, pass, nnf, Candidates::kAll, &changing);
+      ASSERT_EQ(changing.size(), nnf.size());
+      for (int y = 0; y < nnf.height(); ++y) {
+        for (int x = 0; x < nnf.width(); ++x) {
+          ASSERT_EQ(changing(x, y) != 0, !sameMatch(before(x, y), nnf(x, y))) << x << ", " << y;
+        }
+      }
+    }
+    // Of several sweeps it is the last one's
+    NearestNeighborField again = randomField();
+    Mask last;
+    findNearestNeighbors(problem(), weights_, 2, 0, again, Candidates::kAll, &last);
+    const NearestNeighborField beforeLast = again.clone();
+    findNearestNeighbors(problem(), weights_, 1, 2, again, Candidates::kAll, &last);
+    for (std::size_t i = 0; i < again.pixelCount(); ++i) {
+      ASSERT_EQ(last.data()[i] != 0, !sameMatch(beforeLast.data()[i], again.data()[i]));
+    }
+  }
+}
+
+TEST_F(PatchMatchTest, NoMaskAndAnEmptyOneSayThatEverythingMayChange) {
+  options_.searchEffort = SearchEffort::kWhereItChanges;
+  NearestNeighborField without = randomField();
+  findNearestNeighbors(problem(), weights_, 3, 0, without);
+  NearestNeighborField with = randomField();
+  Mask changing;
+  findNearestNeighbors(problem(), weights_, 3, 0, with, Candidates::kAll, &changing);
+  EXPECT_TRUE(sameBytes(without, with));
+}
+
+TEST_F(OneTileTest, OnlyWhatChangesIsSearchedAtRandomWhereTheRestIsLeftAlone) {
+  // No neighbour has anything better to offer, in either direction, to a sweep of this kind
+  options_.searchEffort = SearchEffort::kWhereItChanges;
+  NearestNeighborField settled = randomField();
+  findNearestNeighbors(problem(), weights_, 3, 0, settled);
+  for (int pass = 4;; pass += 2) {
+    ASSERT_LT(pass, 100) << "has to settle";
+    const NearestNeighborField before = settled.clone();
+    Mask nowhere(settled.size());
+    findNearestNeighbors(problem(), weights_, 2, pass, settled, Candidates::kAll, &nowhere);
+    if (sameBytes(before, settled)) break;
+  }
+  const auto searched = [&](SearchEffort which, Mask& mask) {
+    options_.searchEffort = which;
+    NearestNeighborField nnf = settled.clone();
+    findNearestNeighbors(problem(), weights_, 1, 4, nnf, Candidates::kAll, &mask);
+    return nnf;
+  };
+  Mask none(settled.size());
+  EXPECT_TRUE(sameBytes(searched(SearchEffort::kWhereItChanges, none), settled));
+  EXPECT_EQ(countInside(none), 0U);
+  Mask noneOfAll(settled.size());
+  EXPECT_FALSE(sameBytes(searched(SearchEffort::kEverywhere, noneOfAll), settled));
+
+  // The sweep goes right and down: what lies above the only place that may change stays
+  Mask lower(settled.size());
+  constexpr int kFirstRow = 28;
+  for (int y = kFirstRow; y < settled.height(); ++y) {
+    for (int x = 0; x < settled.width(); ++x) lower(x, y) = 1;
+  }
+  const NearestNeighborField changed = searched(SearchEffort::kWhereItChanges, lower);
+  EXPECT_FALSE(sameBytes(changed, settled));
+  for (int y = 0; y < kFirstRow; ++y) {
+    for (int x = 0; x < settled.width(); ++x) {
+      ASSERT_TRUE(sameMatch(changed(x, y), settled(x, y))) << x << ", " << y;
+    }
+  }
+}
+
+TEST_F(PatchMatchTest, StatisticsCountDistancesAndTheSamplesComparedInThem) {
+  constexpr std::uint64_t kFewestSamples = 8;  // compared before the first look at the bound
+  const int defaultThreads = omp_get_max_threads();
+  std::vector<SearchStatistics> ofThreads;
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    NearestNeighborField nnf = randomField();
+    ofThreads.push_back(findNearestNeighbors(problem(), weights_, 2, 0, nnf));
+  }
+  omp_set_num_threads(defaultThreads);
+  const SearchStatistics& done = ofThreads.front();
+  EXPECT_GT(done.distances, target_.borderCount + target_.interiorCount);
+  EXPECT_GE(done.samples, kFewestSamples * done.distances);
+  EXPECT_LT(done.samples, std::uint64_t{kPatchArea} * done.distances) << "none stopped early";
+  EXPECT_EQ(ofThreads[1].distances, done.distances);
+  EXPECT_EQ(ofThreads[1].samples, done.samples);
+
+  NearestNeighborField nnf = randomField();
+  const SearchStatistics ofNeighbors =
+      findNearestNeighbors(problem(), weights_, 2, 0, nnf, Candidates::kNeighbors);
+  EXPECT_GT(ofNeighbors.distances, 0U);
+  EXPECT_LT(ofNeighbors.distances, done.distances / 2);
+  EXPECT_EQ(findNearestNeighbors(problem(), weights_, 0, 0, nnf).distances, 0U);
+}
+
 TEST_F(PatchMatchTest, AnotherSeedFindsAnotherField) {
   NearestNeighborField first = randomField();
   findNearestNeighbors(problem(), weights_, 1, 0, first);
@@ -295,8 +526,9 @@ class Propagation : public ::testing::Test {
     const Image<Lab> original = test::paintedDisc(disc_, kFrame, 20);
     for (int y = 0; y < disc_.size.height; ++y) {
       for (int x = 0; x < disc_.size.width; ++x) {
+        if (!target_.inside(x, y)) continue;
         const Match p = perfect(x, y);
-        target_.picture(x, y) = original.clamped(p.nearestX(), p.nearestY());
+        target_.picture(x, y) = FixedLab::of(original.clamped(p.nearestX(), p.nearestY()));
       }
     }
   }
@@ -416,7 +648,7 @@ TEST_F(PatchMatchTest, MatchesCrossBetweenSegmentsThatAreNotHard) {
   for (const Segment segment : {Segment::kBorder, Segment::kInterior}) {
     EXPECT_EQ(expectedUse.best(target_, segment), expectedUse_.best(target_, segment));
   }
-  const SearchProblem problem{level, expectedUse, target_, options_, Place{3, 1}};
+  const SearchProblem problem{level, expectedUse, target_, options_, Place{3, 1, {}}};
   NearestNeighborField nnf(target_.size());
   repair(problem, -1, nnf);
   findNearestNeighbors(problem, {1.0F, 0.0F, 0.1F, 1.0F}, 2, 0, nnf);

@@ -4,9 +4,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -170,18 +172,33 @@ TEST_F(SynthesizerTest, TheExemplarsFramesInReverseOrderServeEquallyWell) {
   }
   reversed.finish();
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
-  const std::vector<Image<Lab>> forwards = paintAll(exemplar, other_, smallOptions());
-  const std::vector<Image<Lab>> backwards = paintAll(reversed, other_, smallOptions());
-  for (int j = 0; j < other_.frameCount; ++j) {
-    const GuideFrame guides = other_.guides(j);
-    for (const auto& [from, to] :
-         {std::pair{1.0F, 3.0F}, std::pair{3.0F, 8.0F}, std::pair{8.0F, 99.0F}}) {
-      const Statistics a =
-          lightness(forwards[static_cast<std::size_t>(j)], guides.distance, from, to);
-      const Statistics b =
-          lightness(backwards[static_cast<std::size_t>(j)], guides.distance, from, to);
-      EXPECT_NEAR(a.mean, b.mean, 2.0) << "frame " << j << ", " << from << " to " << to << " px";
-      EXPECT_NEAR(a.deviation / b.deviation, 1.0, 0.2) << "frame " << j;
+  constexpr std::array<std::array<float, 2>, 3> kRings{{{1.0F, 3.0F}, {3.0F, 8.0F}, {8.0F, 99.0F}}};
+  // From seed to seed the means of one ring differ by a lightness of 1 to 2 (standard deviation),
+  // which the mean over the seeds divides by sqrt(8)
+  constexpr int kSeeds = 8;
+  std::vector<std::array<Statistics, kRings.size()>> differences(
+      static_cast<std::size_t>(other_.frameCount));
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SynthesisOptions options = smallOptions();
+    options.seed = static_cast<std::uint64_t>(seed);
+    const std::vector<Image<Lab>> forwards = paintAll(exemplar, other_, options);
+    const std::vector<Image<Lab>> backwards = paintAll(reversed, other_, options);
+    for (std::size_t j = 0; j < differences.size(); ++j) {
+      const Image<float> distance = other_.guides(static_cast<int>(j)).distance;
+      for (std::size_t r = 0; r < kRings.size(); ++r) {
+        const Statistics a = lightness(forwards[j], distance, kRings[r][0], kRings[r][1]);
+        const Statistics b = lightness(backwards[j], distance, kRings[r][0], kRings[r][1]);
+        differences[j][r].mean += (a.mean - b.mean) / kSeeds;
+        differences[j][r].deviation += (a.deviation / b.deviation - 1.0) / kSeeds;
+      }
+    }
+  }
+  for (std::size_t j = 0; j < differences.size(); ++j) {
+    for (std::size_t r = 0; r < kRings.size(); ++r) {
+      const Statistics& difference = differences[j][r];
+      EXPECT_NEAR(difference.mean, 0.0, 2.0)
+          << "frame " << j << ", " << kRings[r][0] << " to " << kRings[r][1] << " px";
+      EXPECT_NEAR(difference.deviation, 0.0, 0.1) << "frame " << j;
     }
   }
 }
@@ -236,14 +253,15 @@ double slowFlicker(const Exemplar& exemplar, test::GrowingDisc disc,
   return flicker(exemplar, disc, options);
 }
 
-TEST_F(SynthesizerTest, MaterialAtRestKeepsItsPicture) {
+TEST_F(SynthesizerTest, MaterialAlmostAtRestKeepsItsPicture) {
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
   test::GrowingDisc still = other_;
-  still.speedPx = 0.0F;
+  still.speedPx = 1e-4F;  // shows nowhere, but is no hold, which is not painted anew
   still.frameCount = 2;
   SynthesisOptions options = smallOptions();
   options.lambda = 8.0F;  // many matches change in every frame
   const double kept = flicker(exemplar, still, options);
+  EXPECT_GT(kept, 0.0);
   EXPECT_LT(kept, 0.5);
   options.prevWeight = 0.0F;
   EXPECT_LT(kept, 0.75 * flicker(exemplar, still, options)) << "no previous frame is looked at";
@@ -291,9 +309,10 @@ TEST_F(SynthesizerTest, NoIterationsAtTheEndOfTheListLeaveTheFinestLevelUnswept)
   const int inside = static_cast<int>(countInside(other_.guides(0).mask));
   const NearestNeighborField upscaled = nnfOf(FinestLevel::kUpscaled, {2, 2, 2, 0});
   for (const FinestLevel finest : {FinestLevel::kRefined, FinestLevel::kSearched}) {
-    // Only matches that are not legal there are moved; one sweep, however many are asked for
-    EXPECT_LT(changes(upscaled, nnfOf(finest, {2, 2, 2, 0})), 0.25 * inside);
-    EXPECT_GT(changes(upscaled, nnfOf(finest, {2, 2, 2, 1})), 0.4 * inside);
+    // Only matches that are not legal there are moved, 2 to 4 % over several seeds; a sweep changes
+    // 16 to 39 %. One sweep, however many are asked for
+    EXPECT_LT(changes(upscaled, nnfOf(finest, {2, 2, 2, 0})), 0.06 * inside);
+    EXPECT_GT(changes(upscaled, nnfOf(finest, {2, 2, 2, 1})), 0.12 * inside);
     EXPECT_EQ(changes(nnfOf(finest, {2, 2, 2, 1}), nnfOf(finest, {2, 2, 2, 5})), 0);
   }
 }
@@ -351,8 +370,8 @@ TEST_F(SynthesizerTest, WhatHadNoPreviousFrameRemembersNone) {
 
 TEST_F(SynthesizerTest, SameBytesForAnyNumberOfThreadsAndForEveryRun) {
   const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
-  // On the finest level that is searched the disc lies in four tiles of 64 px
-  const test::GrowingDisc large{Size{200, 190}, {128.0F, 100.0F}, 46.0F, 1.5F, 2};
+  // On the finest level that is searched the box round the disc has four tiles of 64 px
+  const test::GrowingDisc large{Size{200, 190}, {104.0F, 96.0F}, 72.0F, 1.5F, 2};
   const int defaultThreads = omp_get_max_threads();
   const std::vector<Image<Lab>> reference = paintAll(exemplar, large, smallOptions());
   for (const int threads : {1, 2, 5}) {
@@ -409,6 +428,284 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   });
   differs("patchmatch-iterations", [](SynthesisOptions& o) { o.patchmatchIterations = {1}; });
   differs("opt-iterations", [](SynthesisOptions& o) { o.optIterations = {1}; });
+}
+
+bool sameBytes(const Image<Lab>& a, const Image<Lab>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Lab)) == 0;
+}
+
+bool sameBytes(const NearestNeighborField& a, const NearestNeighborField& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Match)) == 0;
+}
+
+/// A disc at rest, painted by an exemplar with few iterations.
+class HeldFrames : public SynthesizerTest {
+ protected:
+  HeldFrames() {
+    options_.optIterations = {1};
+    options_.patchmatchIterations = {1};
+  }
+
+  /// A frame with every guide that there may be; nothing moves.
+  [[nodiscard]] GuideFrame still() const {
+    GuideFrame guides = disc_.guides(0);
+    for (Vec2& v : guides.flow) v = {};
+    guides.shape = Image<float>(disc_.size, 0.5F);
+    guides.coverage = Image<float>(disc_.size);
+    for (std::size_t i = 0; i < guides.mask.pixelCount(); ++i) {
+      guides.coverage.data()[i] = guides.mask.data()[i] != 0 ? 1.0F : 0.0F;
+    }
+    guides.age = Image<float>(disc_.size, 3.0F);
+    return guides;
+  }
+
+  Exemplar exemplar_ = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
+  SynthesisOptions options_ = smallOptions();
+};
+
+TEST_F(HeldFrames, ShowTheSamePictureOfTheSameMatches) {
+  options_.lambda = 8.0F;  // many matches would change in every frame
+  Synthesizer synthesizer(exemplar_, options_);
+  const Image<Lab> first = synthesizer.paint(still());
+  const NearestNeighborField matches = synthesizer.nnf();
+  EXPECT_FALSE(synthesizer.held()) << "there is none before";
+  for (int frame = 1; frame < 4; ++frame) {
+    const Image<Lab> again = synthesizer.paint(still());
+    EXPECT_TRUE(synthesizer.held());
+    EXPECT_TRUE(sameBytes(again, first));
+    EXPECT_TRUE(sameBytes(synthesizer.nnf(), matches));
+  }
+}
+
+TEST_F(HeldFrames, EndWithAnyDifferenceInAGuideAndBeginAnewAfterIt) {
+  const Pixel inside{36, 32};
+  const Pixel atTheRim{36, 32 - 14};
+  ASSERT_EQ(still().mask(atTheRim.x, atTheRim.y), 0);
+  const auto ends = [&](const char* what, const auto& change) {
+    SCOPED_TRACE(what);
+    Synthesizer synthesizer(exemplar_, options_);
+    (void)synthesizer.paint(still());
+    (void)synthesizer.paint(still());
+    ASSERT_TRUE(synthesizer.held());
+    GuideFrame guides = still();
+    change(guides);
+    (void)synthesizer.paint(guides);
+    EXPECT_FALSE(synthesizer.held());
+    (void)synthesizer.paint(still());
+    EXPECT_FALSE(synthesizer.held()) << "what was before counts, not what was held";
+    (void)synthesizer.paint(still());
+    EXPECT_TRUE(synthesizer.held());
+  };
+  ends("mask", [&](GuideFrame& g) { g.mask(atTheRim.x, atTheRim.y) = 1; });
+  ends("distance", [&](GuideFrame& g) { g.distance(inside.x, inside.y) += 0.01F; });
+  ends("distance outside", [&](GuideFrame& g) { g.distance(atTheRim.x, atTheRim.y) -= 0.01F; });
+  ends("direction", [&](GuideFrame& g) { g.direction(inside.x, inside.y) = {0.0F, 1.0F}; });
+  ends("motion since the start",
+       [&](GuideFrame& g) { g.accForward(inside.x, inside.y).x += 0.01F; });
+  ends("motion to come", [&](GuideFrame& g) { g.accBackward(inside.x, inside.y).y += 0.01F; });
+  ends("shape", [&](GuideFrame& g) { g.shape(inside.x, inside.y) = 0.6F; });
+  ends("no shape", [](GuideFrame& g) { g.shape = Image<float>(); });
+  ends("coverage", [&](GuideFrame& g) { g.coverage(atTheRim.x, atTheRim.y) = 0.25F; });
+  ends("age", [&](GuideFrame& g) { g.age(inside.x, inside.y) = 4.0F; });
+}
+
+TEST_F(HeldFrames, EndWhereAnythingMovesOrAges) {
+  GuideFrame moving = still();
+  moving.flow(36, 32) = {0.0F, 1e-6F};
+  GuideFrame ageing = still();
+  ageing.ageGrows = true;
+  for (const GuideFrame* guides : {&moving, &ageing}) {
+    Synthesizer synthesizer(exemplar_, options_);
+    (void)synthesizer.paint(still());
+    for (int frame = 0; frame < 2; ++frame) {  // the second time all guides are those before
+      (void)synthesizer.paint(*guides);
+      EXPECT_FALSE(synthesizer.held());
+    }
+  }
+}
+
+TEST_F(HeldFrames, MayBeEmpty) {
+  GuideFrame empty = still();
+  std::fill(empty.mask.begin(), empty.mask.end(), std::uint8_t{0});
+  std::fill(empty.coverage.begin(), empty.coverage.end(), 0.0F);
+  Synthesizer synthesizer(exemplar_, options_);
+  (void)synthesizer.paint(still());
+  for (int frame = 0; frame < 2; ++frame) {
+    EXPECT_EQ(synthesizer.paint(empty).size(), disc_.size);
+    ASSERT_EQ(synthesizer.nnf().size(), disc_.size);
+    EXPECT_FALSE(synthesizer.nnf()(36, 32).exists());
+  }
+  (void)synthesizer.paint(still());
+  EXPECT_FALSE(synthesizer.held());
+  EXPECT_TRUE(synthesizer.nnf()(36, 32).exists());
+}
+
+TEST_F(SynthesizerTest, TheFieldHasTheFramesSizeAndMatchesInTheMaskAlone) {
+  const Exemplar exemplar = test::discExemplar(disc_, 3, kBorderWidthPx, 31);
+  // Far from the corner in which the boxes of work begin; moved from frame to frame
+  std::vector<Mask> masks;
+  for (const float x : {61.0F, 78.0F, 40.0F}) {
+    masks.push_back(test::disc(Size{131, 117}, {x, 70.0F}, 15.0F));
+  }
+  Synthesizer synthesizer(exemplar, smallOptions());
+  for (const GuideFrame& guides : test::guidesOf(masks, 0.0F)) {
+    const Image<Lab> picture = synthesizer.paint(guides);
+    const NearestNeighborField nnf = synthesizer.nnf();
+    ASSERT_EQ(picture.size(), guides.mask.size());
+    ASSERT_EQ(nnf.size(), guides.mask.size());
+    for (int y = 0; y < nnf.height(); ++y) {
+      for (int x = 0; x < nnf.width(); ++x) {
+        ASSERT_EQ(nnf(x, y).exists(), guides.mask(x, y) != 0) << x << ", " << y;
+        if (guides.mask(x, y) == 0) continue;
+        ASSERT_GT(picture(x, y).l, 1.0F) << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST_F(SynthesizerTest, EmptyRowsAndColumnsBehindTheShapeChangeNothing) {
+  // To the right and below, whole blocks of the coarsest level: coordinates, which random numbers
+  // depend on, stay what they are
+  constexpr int kLevels = 4;
+  constexpr int kBlock = 1 << (kLevels - 1);
+  const Exemplar exemplar = test::discExemplar(disc_, kLevels - 1, kBorderWidthPx, 31);
+  const test::GrowingDisc small{Size{11 * kBlock, 10 * kBlock}, {40.0F, 36.0F}, 14.0F, 1.0F, 3};
+  test::GrowingDisc padded = small;
+  padded.size = {13 * kBlock, 17 * kBlock};
+  for (const FinestLevel finest :
+       {FinestLevel::kUpscaled, FinestLevel::kRefined, FinestLevel::kSearched}) {
+    SynthesisOptions options = smallOptions();
+    options.finestLevel = finest;
+    Synthesizer one(exemplar, options);
+    Synthesizer other(exemplar, options);
+    const Box all{0, 0, small.size.width, small.size.height};
+    for (int j = 0; j < small.frameCount; ++j) {
+      const Image<Lab> picture = one.paint(small.guides(j));
+      const Image<Lab> paddedPicture = other.paint(padded.guides(j));
+      ASSERT_EQ(paddedPicture.size(), padded.size);
+      EXPECT_TRUE(sameBytes(cropped(paddedPicture, all), picture)) << j;
+      EXPECT_TRUE(sameBytes(cropped(other.nnf(), all), one.nnf())) << j;
+    }
+  }
+}
+
+TEST_F(SynthesizerTest, GuidesCountAsFarFromTheMaskAsTheCoarsestWindowsReach) {
+  // The mask lies in the blocks from 4 to 8 across and 4 to 7 down; windows reach two blocks
+  // further
+  constexpr int kLevels = 4;
+  constexpr int kBlock = 1 << (kLevels - 1);
+  const Exemplar exemplar = test::discExemplar(disc_, kLevels - 1, kBorderWidthPx, 31);
+  const test::GrowingDisc target{Size{13 * kBlock, 12 * kBlock}, {51.5F, 47.5F}, 16.0F, 1.0F, 1};
+  const auto painted = [&](const Box& changed) {
+    GuideFrame guides = target.guides(0);
+    for (int y = changed.beginY; y < changed.endY; ++y) {
+      for (int x = changed.beginX; x < changed.endX; ++x) guides.distance(x, y) -= 20.0F;
+    }
+    Synthesizer synthesizer(exemplar, smallOptions());
+    return synthesizer.paint(guides);
+  };
+  const auto blocks = [](int beginX, int beginY, int endX, int endY) {
+    return Box{kBlock * beginX, kBlock * beginY, kBlock * endX, kBlock * endY};
+  };
+  ASSERT_EQ(alignedTo(boundingBox(target.guides(0).mask), kBlock, target.size), blocks(4, 4, 9, 8));
+  const Image<Lab> reference = painted({});
+  for (const Box& within :
+       {blocks(2, 0, 3, 12), blocks(10, 0, 11, 12), blocks(0, 2, 13, 3), blocks(0, 9, 13, 10)}) {
+    EXPECT_FALSE(sameBytes(painted(within), reference))
+        << "from " << within.beginX << ", " << within.beginY;
+  }
+  for (const Box& beyond :
+       {blocks(0, 0, 2, 12), blocks(11, 0, 13, 12), blocks(0, 0, 13, 2), blocks(0, 10, 13, 12)}) {
+    EXPECT_TRUE(sameBytes(painted(beyond), reference))
+        << "from " << beyond.beginX << ", " << beyond.beginY;
+  }
+}
+
+/// Writes down what it is told, and complains of stages that overlap.
+class StageRecorder : public StageObserver {
+ public:
+  void begins(Stage stage, int level) override {
+    EXPECT_FALSE(open_) << "stages overlap";
+    open_ = {stage, level};
+  }
+  void ends(Stage stage, int level) override {
+    ASSERT_TRUE(open_);
+    EXPECT_EQ(*open_, std::pair(stage, level));
+    stages_.push_back(*open_);
+    open_.reset();
+  }
+  void searched(int level, const SearchStatistics& done) override {
+    EXPECT_FALSE(open_);
+    ASSERT_FALSE(stages_.empty());
+    EXPECT_EQ(stages_.back(), std::pair(Stage::kSearch, level)) << "the stage that has just ended";
+    done_ += done;
+    ++searches_;
+  }
+
+  [[nodiscard]] bool isBetweenStages() const { return !open_; }
+  [[nodiscard]] int count(Stage stage) const {
+    return static_cast<int>(std::count_if(stages_.begin(), stages_.end(),
+                                          [stage](const auto& s) { return s.first == stage; }));
+  }
+  [[nodiscard]] int count() const { return static_cast<int>(stages_.size()); }
+  [[nodiscard]] int count(Stage stage, int level) const {
+    return static_cast<int>(std::count(stages_.begin(), stages_.end(), std::pair(stage, level)));
+  }
+  [[nodiscard]] int searches() const { return searches_; }
+  [[nodiscard]] const SearchStatistics& done() const { return done_; }
+
+ private:
+  std::optional<std::pair<Stage, int>> open_;
+  std::vector<std::pair<Stage, int>> stages_;
+  SearchStatistics done_;
+  int searches_ = 0;
+};
+
+TEST_F(SynthesizerTest, AnObserverIsToldOfEveryStageOnceItRunsAndChangesNothing) {
+  constexpr int kCoarsest = 3;
+  const Exemplar exemplar = test::discExemplar(disc_, kCoarsest, kBorderWidthPx, 31);
+  SynthesisOptions options = smallOptions();
+  options.finestLevel = FinestLevel::kRefined;
+  const std::vector<Image<Lab>> unobserved = paintAll(exemplar, other_, options);
+  StageRecorder recorder;
+  Synthesizer synthesizer(exemplar, options, &recorder);
+  std::vector<Image<Lab>> observed;
+  for (int j = 0; j < other_.frameCount; ++j) {
+    observed.push_back(synthesizer.paint(other_.guides(j)));
+    EXPECT_TRUE(recorder.isBetweenStages());
+  }
+  EXPECT_TRUE(equalBytes(observed, unobserved));
+
+  const int frames = other_.frameCount;
+  for (const Stage once : {Stage::kLevels, Stage::kShift, Stage::kPaint}) {
+    EXPECT_EQ(recorder.count(once, 0), frames);
+    EXPECT_EQ(recorder.count(once), frames) << "they concern all levels, or the finest";
+  }
+  for (int level = 0; level <= kCoarsest; ++level) {
+    SCOPED_TRACE(level);
+    const bool enlarged = level < kCoarsest;
+    EXPECT_EQ(recorder.count(Stage::kUpscale, level), enlarged ? frames : 0);
+    EXPECT_EQ(recorder.count(Stage::kPrevious, level), frames - 1);
+    EXPECT_EQ(recorder.count(Stage::kMerge, level), enlarged ? frames - 1 : 0);
+    EXPECT_EQ(recorder.count(Stage::kVote, level),
+              recorder.count(Stage::kSearch, level) - (enlarged ? 0 : 1))
+        << "a vote before every search but for that which starts afresh";
+    EXPECT_GT(recorder.count(Stage::kSearch, level), 0);
+    EXPECT_GE(recorder.count(Stage::kRepair, level), frames);
+  }
+  EXPECT_EQ(recorder.searches(), recorder.count(Stage::kSearch));
+  EXPECT_GT(recorder.done().distances, 0U);
+  EXPECT_GE(recorder.done().samples, recorder.done().distances) << "at least one each";
+
+  // What is held is not worked over
+  test::GrowingDisc still = other_;
+  still.speedPx = 0.0F;
+  (void)synthesizer.paint(still.guides(0));
+  const int before = recorder.count();
+  (void)synthesizer.paint(still.guides(0));
+  EXPECT_TRUE(synthesizer.held());
+  EXPECT_EQ(recorder.count(), before);
 }
 
 }  // namespace

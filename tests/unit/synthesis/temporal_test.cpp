@@ -245,8 +245,8 @@ TEST(SetPrevious, ModulationComparesClampedDistances) {
   EXPECT_FLOAT_EQ(target.modulation(36, 20), 1.0F);
   EXPECT_NEAR(target.modulation(30, 20), 3.0F / 16.0F - 2.0F / 64.0F, 1e-5F);  // v = 1/4
   EXPECT_EQ(target.modulation(20, 20), 0.0F);                                  // no match
-  EXPECT_EQ(target.hasPrevious(24, 20), 1);
-  EXPECT_EQ(target.hasPrevious(14, 20), 0);
+  EXPECT_TRUE(target.previous(24, 20).exists());
+  EXPECT_FALSE(target.previous(14, 20).exists());
 }
 
 /// As above, where the distances count in full: 16 and 14 px are 2 px apart, 16 and 6 px 10.

@@ -1,16 +1,19 @@
 #include "fluidymation/synthesis/vote.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "fluidymation/core/random.h"
-#include "fluidymation/synthesis/sampling.h"
+#include "support/fixed_point.h"
 #include "support/synthetic_scene.h"
+#include "synthesis/sampling.h"
 
 namespace fluidymation {
 namespace {
@@ -24,6 +27,21 @@ ExemplarLevel oneFrame(const Image<Lab>& color) {
   return level;
 }
 
+void expectSame(FixedLab actual, FixedLab expected) {
+  EXPECT_EQ(actual.l, expected.l);
+  EXPECT_EQ(actual.a, expected.a);
+  EXPECT_EQ(actual.b, expected.b);
+  EXPECT_EQ(actual.weight, expected.weight);
+}
+
+/// How far a mean in fixed point lies from the exact one, units of CIELAB, at most: each sample by
+/// the error of its interpolation, and the mean is rounded to the nearest step once more; its
+/// division in single precision may turn a tie. No two colours of `randomTexture` are farther apart
+/// than 40.
+constexpr double kTextureRange = 40.0 * kColorSteps;
+constexpr double kVoteTolerance =
+    (test::interpolationError(kTextureRange) + 0.5 + 0x1p-8) / kColorSteps;
+
 TEST(Vote, TheIdentityFieldReproducesTheExemplar) {
   const Image<Lab> color = test::randomTexture({20, 16}, 3);
   const ExemplarLevel exemplar = oneFrame(color);
@@ -33,9 +51,10 @@ TEST(Vote, TheIdentityFieldReproducesTheExemplar) {
       nnf(x, y) = {static_cast<float>(x), static_cast<float>(y), 0, Rotation{}};
     }
   }
-  const VotedPicture picture = vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
+  const Image<FixedLab> picture =
+      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
   for (int y = 0; y < 16; ++y) {
-    for (int x = 0; x < 20; ++x) EXPECT_NEAR(picture.color(x, y).l, color(x, y).l, 1e-4F);
+    for (int x = 0; x < 20; ++x) expectSame(picture(x, y), FixedLab::of(color(x, y)));
   }
 }
 
@@ -49,9 +68,10 @@ TEST(Vote, AFieldThatTurnsByARightAngleTurnsThePicture) {
       nnf(x, y) = {static_cast<float>(y), static_cast<float>(15 - x), 0, quarter};
     }
   }
-  const VotedPicture picture = vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
+  const Image<FixedLab> picture =
+      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
   for (int y = 2; y < 14; ++y) {
-    for (int x = 2; x < 14; ++x) EXPECT_NEAR(picture.color(x, y).l, color(y, 15 - x).l, 1e-3F);
+    for (int x = 2; x < 14; ++x) expectSame(picture(x, y), FixedLab::of(color(y, 15 - x)));
   }
 }
 
@@ -71,16 +91,21 @@ NearestNeighborField scattered(Size size, Size exemplar) {
   return nnf;
 }
 
-TEST(PaintedVote, WithTheThesisOptionsIsTheVote) {
+TEST(PaintedVote, WithTheThesisOptionsIsTheVoteToItsFixedPoint) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
   const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
   const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
-  const VotedPicture plain = vote(exemplar, segment, nnf);
+  const Image<FixedLab> plain = vote(exemplar, segment, nnf);
   const VotedPicture painted =
       paintedVote(exemplar, Mask(nnf.size(), 1), nnf, VoteOptions{0.0F, {}});
-  EXPECT_EQ(
-      std::memcmp(plain.color.data(), painted.color.data(), plain.color.pixelCount() * sizeof(Lab)),
-      0);
+  for (std::size_t i = 0; i < plain.pixelCount(); ++i) {
+    ASSERT_TRUE(plain.data()[i].exists());
+    const Lab voted = plain.data()[i].lab();
+    const Lab mean = painted.color.data()[i];
+    EXPECT_NEAR(voted.l, mean.l, kVoteTolerance);
+    EXPECT_NEAR(voted.a, mean.a, kVoteTolerance);
+    EXPECT_NEAR(voted.b, mean.b, kVoteTolerance);
+  }
 }
 
 TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
@@ -92,7 +117,7 @@ TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
         paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {0.05F, interpolation});
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
-        const float own = exemplar.pixel(nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0)[kLightness];
+        const float own = exemplar.value(nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0, kLightness);
         EXPECT_NEAR(picture.color(x, y).l, own, 1e-3F);
       }
     }
@@ -143,56 +168,53 @@ TEST(PaintedVote, AWiderWeightLiesBetween) {
   EXPECT_GT(spread(0.8F), 1.2 * spread(0.0F));
 }
 
-TEST(CubicSampling, ReproducesQuadraticsAndPassesThroughThePixels) {
-  const Size size{12, 10};
-  std::vector<Lanes> frame;
-  const auto value = [](float x, float y) { return 0.3F * x * x - 0.2F * x * y + y - 2.0F; };
+/// An exemplar whose lightness is `value(x, y)`, to half a step of its fixed point.
+template <typename Value>
+ExemplarLevel withLightness(Size size, const Value& value) {
+  Image<Lab> color(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      Lanes lanes;
-      lanes.low = Float4{value(static_cast<float>(x), static_cast<float>(y)), 0, 0, 0};
-      frame.push_back(lanes);
+      color(x, y).l = value(static_cast<float>(x), static_cast<float>(y));
     }
   }
+  return oneFrame(color);
+}
+
+TEST(CubicSampling, ReproducesQuadraticsAndPassesThroughThePixels) {
+  const auto value = [](float x, float y) { return 0.3F * x * x - 0.2F * x * y + y - 2.0F; };
+  const ExemplarLevel exemplar = withLightness({12, 10}, value);
+  // Half a step per pixel, times the sum of the weights' sizes, 1.25 at most along either axis
+  constexpr float kTolerance = 0.5F / kColorSteps * 1.25F * 1.25F + 1e-4F;
   for (const auto& [x, y] : {std::pair{1.0F, 1.0F}, {3.25F, 4.5F}, {9.9F, 7.75F}, {5.0F, 2.5F}}) {
-    EXPECT_NEAR(sampleCubic(frame.data(), size, x, y)[0], value(x, y), 1e-4F) << x << ", " << y;
+    EXPECT_NEAR(sampleCubic(exemplar, 0, x, y)[0], value(x, y), kTolerance) << x << ", " << y;
   }
   // Past the image the edge repeats
-  EXPECT_EQ(sampleCubic(frame.data(), size, -3.0F, -3.0F)[0],
-            sampleCubic(frame.data(), size, 0.0F, 0.0F)[0]);
+  EXPECT_EQ(sampleCubic(exemplar, 0, -3.0F, -3.0F)[0], sampleCubic(exemplar, 0, 0.0F, 0.0F)[0]);
 }
 
-constexpr float kPi = 3.14159265F;
-
-/// A row of pixels of a wave with this many periods per px.
-std::vector<Lanes> wave(int width, float frequency) {
-  std::vector<Lanes> pixels(static_cast<std::size_t>(width));
-  for (std::size_t x = 0; x < pixels.size(); ++x) {
-    pixels[x].low[0] = std::cos(2.0F * kPi * frequency * static_cast<float>(x));
-  }
-  return pixels;
-}
-
-/// Largest error between the pixels of a row, away from its ends.
+/// Largest error between the pixels of a row that holds a wave with this many periods per px, away
+/// from its ends, relative to the wave.
 template <typename Sample>
 float errorOn(float frequency, const Sample& sample) {
-  const Size size{64, 1};
-  const std::vector<Lanes> pixels = wave(size.width, frequency);
+  constexpr float kPi = 3.14159265F;
+  constexpr float kAmplitude = 100.0F;  // half a step of the fixed point is 4e-5 of it
+  const auto wave = [frequency](float x) { return std::cos(2.0F * kPi * frequency * x); };
+  const ExemplarLevel exemplar =
+      withLightness({64, 1}, [&](float x, float) { return kAmplitude * wave(x); });
   float worst = 0.0F;
   for (float x = 20.0F; x < 44.0F; x += 0.125F) {
-    const float truth = std::cos(2.0F * kPi * frequency * x);
-    worst = std::max(worst, std::abs(sample(pixels.data(), size, x)[0] - truth));
+    worst = std::max(worst, std::abs(sample(exemplar, x)[0] / kAmplitude - wave(x)));
   }
   return worst;
 }
 
 TEST(LanczosSampling, KeepsFineDetailBetterThanCubic) {
   const LanczosKernel kernel;
-  const auto lanczos = [&](const Lanes* frame, Size size, float x) {
-    return sampleLanczos(kernel, frame, size, x, 0.0F);
+  const auto lanczos = [&](const ExemplarLevel& exemplar, float x) {
+    return sampleLanczos(kernel, exemplar, 0, x, 0.0F);
   };
-  const auto cubic = [](const Lanes* frame, Size size, float x) {
-    return sampleCubic(frame, size, x, 0.0F);
+  const auto cubic = [](const ExemplarLevel& exemplar, float x) {
+    return sampleCubic(exemplar, 0, x, 0.0F);
   };
   for (const float frequency : {0.2F, 0.25F, 0.3F, 0.35F}) {
     EXPECT_LT(errorOn(frequency, lanczos), 0.7F * errorOn(frequency, cubic)) << frequency;
@@ -204,17 +226,16 @@ TEST(LanczosSampling, KeepsFineDetailBetterThanCubic) {
 TEST(LanczosSampling, PassesThroughThePixelsAndRepeatsTheEdge) {
   const LanczosKernel kernel;
   const Size size{12, 10};
-  const Image<Lab> texture = test::randomTexture(size, 5);
-  const ExemplarLevel exemplar = oneFrame(texture.clone());
+  const ExemplarLevel exemplar = oneFrame(test::randomTexture(size, 5));
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      EXPECT_NEAR(sampleLanczos(kernel, exemplar.frame(0), size, static_cast<float>(x),
-                                static_cast<float>(y))[0],
-                  texture(x, y).l, 1e-4F);
+      EXPECT_NEAR(
+          sampleLanczos(kernel, exemplar, 0, static_cast<float>(x), static_cast<float>(y))[0],
+          exemplar.value(x, y, 0, kLightness), 1e-4F);
     }
   }
-  EXPECT_EQ(sampleLanczos(kernel, exemplar.frame(0), size, -3.0F, 20.0F)[0],
-            sampleLanczos(kernel, exemplar.frame(0), size, 0.0F, 9.0F)[0]);
+  EXPECT_EQ(sampleLanczos(kernel, exemplar, 0, -3.0F, 20.0F)[0],
+            sampleLanczos(kernel, exemplar, 0, 0.0F, 9.0F)[0]);
 }
 
 TEST(Vote, AConstantExemplarVotesItsConstant) {
@@ -230,12 +251,8 @@ TEST(Vote, AConstantExemplarVotesItsConstant) {
                    {std::cos(angle), std::sin(angle)}};
     }
   }
-  const VotedPicture picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
-  for (const Lab& lab : picture.color) {
-    EXPECT_NEAR(lab.l, 40.0F, 1e-3F);
-    EXPECT_NEAR(lab.a, 5.0F, 1e-3F);
-    EXPECT_NEAR(lab.b, -7.0F, 1e-3F);
-  }
+  const Image<FixedLab> picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
+  for (const FixedLab color : picture) expectSame(color, FixedLab::of({40.0F, 5.0F, -7.0F}));
 }
 
 TEST(Vote, StaysWithinTheExemplarsExtremes) {
@@ -253,10 +270,10 @@ TEST(Vote, StaysWithinTheExemplarsExtremes) {
                    {0.6F, 0.8F}};
     }
   }
-  const VotedPicture picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
-  for (const Lab& lab : picture.color) {
-    EXPECT_GE(lab.l, low->l - 1e-3F);
-    EXPECT_LE(lab.l, high->l + 1e-3F);
+  const Image<FixedLab> picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
+  for (const FixedLab voted : picture) {
+    EXPECT_GE(voted.l, FixedLab::of(*low).l);
+    EXPECT_LE(voted.l, FixedLab::of(*high).l);
   }
 }
 
@@ -266,11 +283,150 @@ TEST(Vote, PixelsThatNoWindowCoversDoNotExist) {
   nnf(0, 0) = {5.0F, 5.0F, 0, Rotation{}};
   Image<Segment> inside(Size{12, 1}, Segment::kBorder);
   inside(1, 0) = Segment::kOutside;
-  const VotedPicture picture = vote(exemplar, inside, nnf);
-  EXPECT_EQ(picture.exists(0, 0), 1);
-  EXPECT_EQ(picture.exists(1, 0), 0);  // covered, but outside the mask
-  EXPECT_EQ(picture.exists(2, 0), 1);
-  EXPECT_EQ(picture.exists(3, 0), 0);
+  const Image<FixedLab> picture = vote(exemplar, inside, nnf);
+  EXPECT_TRUE(picture(0, 0).exists());
+  EXPECT_FALSE(picture(1, 0).exists());  // covered, but outside the mask
+  EXPECT_TRUE(picture(2, 0).exists());
+  EXPECT_FALSE(picture(3, 0).exists());
+}
+
+/// A field of sub-pixel matches that agree on nothing, some missing and some outside the exemplar,
+/// for a picture of several bands of rows.
+class TallVote : public ::testing::Test {
+ protected:
+  const Size size_{37, 83};  // two bands of 32 rows and a part
+  const Size exemplarSize_{24, 20};
+  ExemplarLevel exemplar_ = oneFrame(test::randomTexture(exemplarSize_, 6));
+  Image<Segment> segment_{size_, Segment::kBorder};
+  NearestNeighborField nnf_{size_};
+
+  TallVote() {
+    for (int y = 0; y < size_.height; ++y) {
+      for (int x = 0; x < size_.width; ++x) {
+        Random random({7, 0, 0, 0, x, y});
+        if (random.uniform(0, 9) == 0) segment_(x, y) = Segment::kOutside;
+        if (random.uniform(0, 3) == 0) continue;
+        const auto coordinate = [&random](int length) {
+          return static_cast<float>(random.uniform(-300, 100 * length + 300)) / 100.0F;
+        };
+        const float sx = coordinate(exemplarSize_.width);
+        const float sy = coordinate(exemplarSize_.height);
+        const float angle = kTwoPi * static_cast<float>(random.uniform(0, 999)) / 1000.0F;
+        nnf_(x, y) = {sx, sy, 0, {std::cos(angle), std::sin(angle)}};
+      }
+    }
+    // A hole that no window covers
+    for (int y = 28; y < 36; ++y) {
+      for (int x = 10; x < 20; ++x) nnf_(x, y) = Match{};
+    }
+  }
+
+  /// The mean at (x, y) over the windows that cover it; a match outside the exemplar stands for the
+  /// nearest place whose nearest pixel is inside. @return  false where there are none.
+  [[nodiscard]] bool slowVote(int x, int y, std::array<double, kColorChannels>& mean) const {
+    mean = {};
+    int windows = 0;
+    for (int ny = y - kPatchRadius; ny <= y + kPatchRadius; ++ny) {
+      for (int nx = x - kPatchRadius; nx <= x + kPatchRadius; ++nx) {
+        if (!nnf_.contains(nx, ny) || !nnf_(nx, ny).exists()) continue;
+        const Match& match = nnf_(nx, ny);
+        const double dx = x - nx;
+        const double dy = y - ny;
+        const double c = match.rotation.cosine;
+        const double s = match.rotation.sine;
+        const double centreX =
+            std::clamp(static_cast<double>(match.x), -0.5, exemplarSize_.width - 0.5);
+        const double centreY =
+            std::clamp(static_cast<double>(match.y), -0.5, exemplarSize_.height - 0.5);
+        for (const Channel channel : {kLightness, kGreenRed, kBlueYellow}) {
+          mean[static_cast<std::size_t>(channel)] += test::slowSample(
+              exemplar_, 0, centreX + c * dx + s * dy, centreY + c * dy - s * dx, channel);
+        }
+        ++windows;
+      }
+    }
+    for (double& m : mean) m /= std::max(windows, 1);
+    return windows > 0;
+  }
+};
+
+TEST_F(TallVote, EqualsASlowDoublePrecisionTwin) {
+  const Image<FixedLab> picture = vote(exemplar_, segment_, nnf_);
+  ASSERT_EQ(picture.size(), size_);
+  int uncovered = 0;
+  for (int y = 0; y < size_.height; ++y) {
+    for (int x = 0; x < size_.width; ++x) {
+      std::array<double, kColorChannels> mean{};
+      const bool covered = slowVote(x, y, mean);
+      const bool wanted = segment_(x, y) != Segment::kOutside;
+      uncovered += wanted && !covered ? 1 : 0;
+      ASSERT_EQ(picture(x, y).exists(), wanted && covered) << x << ", " << y;
+      if (!picture(x, y).exists()) continue;
+      ASSERT_EQ(picture(x, y).weight, 1);
+      const Lab voted = picture(x, y).lab();
+      ASSERT_NEAR(voted.l, mean[kLightness], kVoteTolerance) << x << ", " << y;
+      ASSERT_NEAR(voted.a, mean[kGreenRed], kVoteTolerance) << x << ", " << y;
+      ASSERT_NEAR(voted.b, mean[kBlueYellow], kVoteTolerance) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(uncovered, 0);
+}
+
+bool sameBytes(const Image<FixedLab>& a, const Image<FixedLab>& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(FixedLab)) == 0;
+}
+
+TEST_F(TallVote, IsTheSameForAnyNumberOfThreads) {
+  const int defaultThreads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Image<FixedLab> one = vote(exemplar_, segment_, nnf_);
+  for (const int threads : {2, 3, 7}) {
+    omp_set_num_threads(threads);
+    EXPECT_TRUE(sameBytes(vote(exemplar_, segment_, nnf_), one)) << threads;
+  }
+  omp_set_num_threads(defaultThreads);
+}
+
+TEST_F(TallVote, DoesNotDependOnWhereItsBandsAreCut) {
+  // Without its first rows the picture is cut elsewhere
+  const Image<FixedLab> whole = vote(exemplar_, segment_, nnf_);
+  for (const int above : {1, 5, 16, 31}) {
+    const Size size{size_.width, size_.height - above};
+    Image<Segment> segment(size);
+    NearestNeighborField nnf(size);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        segment(x, y) = segment_(x, y + above);
+        nnf(x, y) = nnf_(x, y + above);
+      }
+    }
+    const Image<FixedLab> part = vote(exemplar_, segment, nnf);
+    for (int y = kPatchRadius; y < size.height; ++y) {
+      ASSERT_EQ(std::memcmp(part.row(y), whole.row(y + above),
+                            static_cast<std::size_t>(size.width) * sizeof(FixedLab)),
+                0)
+          << "row " << y << " below " << above;
+    }
+  }
+}
+
+TEST(Vote, AMatchOutsideTheExemplarStandsForTheNearestPlaceInside) {
+  const ExemplarLevel exemplar = oneFrame(test::randomTexture({12, 10}, 8));
+  const Image<Segment> segment(Size{5, 5}, Segment::kBorder);
+  const auto voted = [&](float x, float y) {
+    NearestNeighborField nnf(segment.size());
+    nnf(2, 2) = {x, y, 0, {0.6F, 0.8F}};
+    return vote(exemplar, segment, nnf);
+  };
+  const float right = std::nextafter(11.5F, 0.0F);
+  const float bottom = std::nextafter(9.5F, 0.0F);
+  EXPECT_TRUE(sameBytes(voted(-7.25F, 4.0F), voted(-0.5F, 4.0F)));
+  EXPECT_TRUE(sameBytes(voted(1e6F, 4.0F), voted(right, 4.0F)));
+  EXPECT_TRUE(sameBytes(voted(3.0F, -100.0F), voted(3.0F, -0.5F)));
+  EXPECT_TRUE(sameBytes(voted(3.0F, 9.5F), voted(3.0F, bottom)));
+  EXPECT_TRUE(sameBytes(voted(-1.0F, 20.0F), voted(-0.5F, bottom)));
+  EXPECT_FALSE(sameBytes(voted(-1.0F, 20.0F), voted(0.5F, bottom)));
 }
 
 }  // namespace
