@@ -29,7 +29,7 @@ struct RunSize {
   FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
   bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
   int occRadiusFrames = SynthesisOptions{}.occRadiusFrames;
-  bool dumps = false;          ///< whether guides and matches are written too
+  bool dumps = false;  ///< whether guides and matches are written too
 };
 
 /// What is kept of every mask pixel of a target that is still to be painted: its flow and the
