@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the given groups of packages.txt, those that are missing.
-# Usage: scripts/install_packages.sh GROUP...      (groups: build samples test check)
+# Usage: scripts/install_packages.sh GROUP...      (groups: build samples generators test check)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -9,6 +9,7 @@ packages_of() {
     "$here/packages.txt"
 }
 
+[ $# -gt 0 ] || { sed -n '2,3s/^# //p' "$0" >&2; exit 2; }
 wanted=()
 for group in "$@"; do
   mapfile -t found < <(packages_of "$group")
