@@ -112,8 +112,9 @@ enum class FinestLevel {
 enum class SearchEffort {
   kEverywhere,      ///< the thesis': every sweep tries two neighbours' matches and random ones
                     ///< everywhere
-  kWhereItChanges,  ///< random matches where the last sweep has changed something, matches of four
-                    ///< neighbours where they are new: half the work for matches about as good
+  kWhereItChanges,  ///< random matches where the last sweep has changed something, with them the
+                    ///< matches of four neighbours, all where they are new: half the work for
+                    ///< matches about as good
 };
 
 struct SynthesisOptions {

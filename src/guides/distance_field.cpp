@@ -206,7 +206,7 @@ class DistanceField {
   void rowWithin(int y, Scratch& scratch) {
     const int width = mask_.width();
     const std::uint8_t* inside = mask_.row(y);
-    const Steps* steps = steps_.row(y - around_.beginY) - around_.beginX;
+    const Steps* steps = steps_.row(y - around_.beginY);  // from around_.beginX on
     int end = 0;
     for (int begin = 0; begin < width; begin = end) {
       const bool isInside = inside[begin] != 0;
@@ -216,7 +216,8 @@ class DistanceField {
       envelope.start(begin, end - 1);
       if (begin > 0) envelope.add({begin - 1, 0});
       for (int x = std::max(begin, around_.beginX); x < std::min(end, around_.endX); ++x) {
-        if (steps[x] != kNoSteps) envelope.add({x, steps[x]});
+        const Steps there = steps[x - around_.beginX];
+        if (there != kNoSteps) envelope.add({x, there});
       }
       if (end < width) envelope.add({end, 0});
       envelope.write(scratch.squares.data());
@@ -231,11 +232,12 @@ class DistanceField {
     const bool isAbove = end <= around_.beginY;
     const int edge = isAbove ? around_.beginY : around_.endY - 1;
     const int nearest = isAbove ? end - 1 : begin;
-    const Steps* steps = steps_.row(edge - around_.beginY) - around_.beginX;
+    const Steps* steps = steps_.row(edge - around_.beginY);
     std::vector<Foot>& feet = scratch.feet;
     feet.clear();
     for (int x = box_.beginX; x < box_.endX; ++x) {
-      if (steps[x] != kNoSteps) feet.push_back({x, steps[x] + std::abs(nearest - edge)});
+      const Steps there = steps[x - around_.beginX];
+      if (there != kNoSteps) feet.push_back({x, there + std::abs(nearest - edge)});
     }
     dropHidden(feet);
     for (int y = begin; y < end; ++y) {

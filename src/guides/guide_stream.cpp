@@ -148,8 +148,8 @@ GuideFrame GuideStream::next() {
                                     mask, stored.flow);
   }
   guides.accForward = scatter(mask, accForward_);
-  stored.flow = {};  // given away, and not asked for again
-  stored.accBackward = {};
+  std::vector<Vec2>().swap(stored.flow);  // given away, and not asked for again
+  std::vector<Vec2>().swap(stored.accBackward);
 
   Image<Vec2> previous;
   if (nextFrame_ > 0) {

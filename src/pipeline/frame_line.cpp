@@ -53,28 +53,28 @@ class WritingBehind {
   /// Begins to write a frame; none may be under way.
   void begin(int frame, PaintedFrame painted) {
     frame_ = frame;
-    if (!worker_) {
+    auto write = [this, frame, painted = std::move(painted)] {
       stages_.write(frame, painted);
-      tell();
-      return;
+      return Clock::now();
+    };
+    if (worker_) {
+      going_ = worker_->start(std::move(write));
+    } else {
+      tell(write());
     }
-    going_ = worker_->start(
-        [this, frame, painted = std::move(painted)] { stages_.write(frame, painted); });
   }
 
   /// Waits for the frame that is under way, if any, and tells of it.
   void finish() {
     if (!going_.valid()) return;
-    going_.get();
-    tell();
+    tell(going_.get());
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void tell() {
-    const Clock::time_point now = Clock::now();
-    const std::chrono::duration<double> spent = now - std::exchange(lastDone_, now);
+  void tell(Clock::time_point done) {
+    const std::chrono::duration<double> spent = done - std::exchange(lastDone_, done);
     events_.written(frame_, spent.count());
   }
 
@@ -82,7 +82,7 @@ class WritingBehind {
   const FrameEvents& events_;
   Clock::time_point lastDone_ = Clock::now();
   int frame_ = 0;
-  std::future<void> going_;
+  std::future<Clock::time_point> going_;
   std::optional<Worker> worker_;  ///< none where nothing goes on beside the caller
 };
 

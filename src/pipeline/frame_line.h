@@ -58,8 +58,9 @@ struct ThreadShares {
 /// meanwhile; at any time there is at most one frame in each stage and one between `guide` and
 /// `paint`. Without, nothing is done before it is wanted: one stage after the other.
 ///
-/// However it ends, no stage is at work afterwards, and every frame that was painted before the
-/// fault is written and told of. The fault of the earliest frame is the one that comes out.
+/// However it ends, no stage is at work afterwards, and every frame that was painted, and
+/// told to be, before the fault is written and told of. The fault of the earliest frame is the one
+/// that comes out.
 /// @throws whatever stages and events throw; std::system_error when a thread cannot be started.
 void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,
                const FrameEvents& events);

@@ -25,9 +25,7 @@ constexpr double kExtentBytes = sizeof(Vec2);  // on all levels, until the last 
 constexpr double kPyramidFactor = 4.0 / 3.0;   // 1 + 1/4 + 1/16 + ...
 constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-, or while reading the stream's own
 constexpr double kUnreturnedBytes = 12.0;  // of the stream's own, too scattered for acc+ and acc-
-constexpr double kMapBytes = 4.0;          // an occurrence map
-// The changes of a thread's tile, with the smallest of radii; a seventh with the default one
-constexpr double kChangesBytes = 4.0;
+constexpr double kMapBytes = 4.0;  // an occurrence map; a group of frames of a tile's changes
 constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twice for a moment
 
 // Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and

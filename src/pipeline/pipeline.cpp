@@ -218,7 +218,7 @@ void stylize(const Options& given, const Observer& observer) {
     PaintedFrame painted;
     painted.picture = synthesizer.paint(frame);
     painted.guides = dumps ? std::move(frame) : outlineOnly(std::move(frame));
-    if (dumps) painted.nnf = synthesizer.nnf().clone();
+    if (dumps) painted.nnf = synthesizer.nnf();
     return painted;
   };
   stages.write = [&](int j, const PaintedFrame& painted) {

@@ -129,8 +129,7 @@ struct SweepInputs {
 class TileSweep {
  public:
   /// @param ownChanges  scratch, all zero before and after: what the tile changes meanwhile.
-  /// Without
-  ///   it all pixels of a small target flock to what few use, in every sweep anew.
+  ///   Without it all pixels of a small target flock to what few use, in every sweep anew.
   /// @param errors   patch distances, without uniformity term, of the matches in `nnf`, as far as
   ///   they are known; kUnknown elsewhere.
   /// @param changed  is set where the sweep changes the match; zero before.
@@ -482,10 +481,12 @@ SearchStatistics findNearestNeighbors(const SearchProblem& problem, const Distan
   OccurrenceMap occurrence = emptyOccurrence(problem);
   // One scratch map per thread that can have work, all zero between tiles.
   const int workers = std::min(threadLimit(), static_cast<int>(tiles.size()));
-  std::vector<UseChanges> ownChanges(
-      static_cast<std::size_t>(workers),
-      UseChanges(problem.exemplar.size(), problem.exemplar.frameCount(),
-                 problem.options.occRadiusFrames));
+  std::vector<UseChanges> ownChanges;
+  ownChanges.reserve(static_cast<std::size_t>(workers));
+  for (int w = 0; w < workers; ++w) {
+    ownChanges.emplace_back(problem.exemplar.size(), problem.exemplar.frameCount(),
+                            problem.options.occRadiusFrames);
+  }
   const std::vector<SearchBox> boxes = searchBoxes(problem);
   const bool focused = problem.options.searchEffort == SearchEffort::kWhereItChanges;
   const bool draws = candidates == Candidates::kAll;
@@ -506,7 +507,7 @@ SearchStatistics findNearestNeighbors(const SearchProblem& problem, const Distan
                        changedBefore};
     inputs.pass = firstPass + i;
     inputs.neighbors = focused && draws ? kNeighbors.size() : kAdjacentNeighbors;
-    inputs.everyNeighbor = i < kSweepsPerDirection;
+    inputs.everyNeighbor = !focused || i < kSweepsPerDirection;
     inputs.drawsAtRandom = draws;
     inputs.everywhere = !focused || (isFirst && i == 0);
     std::vector<SearchStatistics> ofTiles(tiles.size());

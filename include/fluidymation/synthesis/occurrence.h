@@ -20,7 +20,7 @@ namespace fluidymation {
 /// that sum ready for every centre, so that a candidate costs one look-up. The box is not turned
 /// with the match: its corners matter less than its size. Positions outside the image count 0.
 /// Counts are integers, so that sums do not depend on their order; 32 bits hold 2^31 / n^2 = 85
-/// million matches, and the levels searched of the largest target read have 30 million pixels.
+/// million matches, four times what fits into the memory that a run may take.
 class OccurrenceMap {
  public:
   OccurrenceMap(Size size, int frameCount, int radiusFrames);

@@ -260,11 +260,19 @@ TEST_F(SynthesizerTest, MaterialAlmostAtRestKeepsItsPicture) {
   still.frameCount = 2;
   SynthesisOptions options = smallOptions();
   options.lambda = 8.0F;  // many matches change in every frame
-  const double kept = flicker(exemplar, still, options);
+  double kept = 0.0;
+  double forgotten = 0.0;
+  constexpr int kSeeds = 8;  // a single one says little: the ratio is 0.34 to 0.83
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.prevWeight = 1.0F;
+    kept += flicker(exemplar, still, options) / kSeeds;
+    options.prevWeight = 0.0F;
+    forgotten += flicker(exemplar, still, options) / kSeeds;
+  }
   EXPECT_GT(kept, 0.0);
   EXPECT_LT(kept, 0.5);
-  options.prevWeight = 0.0F;
-  EXPECT_LT(kept, 0.75 * flicker(exemplar, still, options)) << "no previous frame is looked at";
+  EXPECT_LT(kept, 0.75 * forgotten) << "no previous frame is looked at";
 }
 
 TEST_F(SynthesizerTest, SlowMaterialKeepsItsPictureBecauseOfThePreviousFrame) {
