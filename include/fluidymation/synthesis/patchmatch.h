@@ -69,9 +69,9 @@ struct SearchStatistics {
 /// findNNF: `iterations` sweeps of PatchMatch (thesis §2.2, §4.3, §4.4.2). All matches must be
 /// legal before; they are after.
 ///
-/// Tiles are cut from the image, never from the thread count, and the result does not depend on
-/// it: across a tile's edge neighbours are read as they were before the sweep, and occurrence is
-/// read as of before the sweep plus the tile's own changes (UseChanges).
+/// Tiles are cut from the box that is worked with, never from the thread count, and the result does
+/// not depend on it: across a tile's edge neighbours are read as they were before the sweep, and
+/// occurrence is read as of before the sweep plus the tile's own changes (UseChanges).
 /// @param firstPass  number of the first sweep within this level of this frame: every sweep has its
 ///   own random numbers, and the scan order alternates with it.
 /// @param changing   if given: where the last sweep changed the match, nonzero; empty at first,
