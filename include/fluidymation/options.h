@@ -118,11 +118,15 @@ enum class SearchEffort {
 };
 
 struct SynthesisOptions {
-  float texWeight = 1.0F;         ///< colours of the picture as it stands; §3.7, P§3.1
-  float distWeight = 5.0F;        ///< edge or shape guide; §3.4, P§3.1
-  float flowWeight = 0.1F;        ///< motion extent guides; §3.5
-  float dirWeight = 0.0F;         ///< directions of movement within a window; §3.6, P§3.2
-  float prevWeight = 1.0F;        ///< temporal coherence; §3.7
+  float texWeight = 1.0F;   ///< colours of the picture as it stands; §3.7, P§3.1
+  float distWeight = 5.0F;  ///< edge or shape guide; §3.4, P§3.1
+  float flowWeight = 0.1F;  ///< motion extent guides; §3.5
+  float dirWeight = 0.0F;   ///< directions of movement within a window; §3.6, P§3.2
+  float prevWeight = 1.0F;  ///< temporal coherence; §3.7
+  /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
+  /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).
+  /// Coherence in the sense of Hertzmann et al., Image Analogies (2001); the thesis has none.
+  float coherenceWeight = 8.0F;
   float lambda = 2.0F;            ///< spatial uniformity; §2.5, §3.3
   int occRadiusFrames = 10;       ///< neighbouring frames that count as used; §3.3
   float patchmatchAlpha = 0.75F;  ///< shrink of the search box per candidate, (0, 0.99]; §4.3

@@ -349,6 +349,11 @@ void addSynthesis(Table& table) {
                    "later; off: slow animations freeze",
                    {{"off", false}, {"on", true}}, "thesis §3.7: off",
                    [](CommandLine& c) -> bool& { return c.options.synthesis.carriesMotion; });
+  table.real("--coherence-weight", kSynthesis,
+             "how much neighbours keep together: pieces of the film as\n"
+             "large as they fit, for its large structures",
+             "", ranges::kWeights, "thesis: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.coherenceWeight; });
   table.real("--lambda", kSynthesis, "how evenly the exemplar is used", "", ranges::kWeights,
              "thesis §2.5, §3.3",
              [](CommandLine& c) -> float& { return c.options.synthesis.lambda; });

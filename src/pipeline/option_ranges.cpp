@@ -91,6 +91,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
   check(synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
+  check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);
   check("--patchmatch-alpha", synthesis.patchmatchAlpha, ranges::kAlphas);

@@ -15,6 +15,7 @@ void applyThesisPreset(Options& options) {
   synthesis.flowWeight = 0.1F;
   synthesis.dirWeight = 0.0F;
   synthesis.prevWeight = 1.0F;
+  synthesis.coherenceWeight = 0.0F;
   synthesis.lambda = 2.0F;
   synthesis.occRadiusFrames = 10;
   synthesis.patchmatchAlpha = 0.75F;

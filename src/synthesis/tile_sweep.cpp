@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace fluidymation {
@@ -13,6 +14,9 @@ struct Step {
   int y;
 };
 constexpr std::array<Step, kAllNeighbors> kNeighbors{{{-1, 0}, {0, -1}, {-1, -1}, {1, -1}}};
+
+/// To the neighbours that a match is to continue.
+constexpr std::array<Step, 4> kBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
 /// One sweep of PatchMatch over one tile.
 class TileSweep {
@@ -63,6 +67,7 @@ class TileSweep {
     if (isReady_) return;
     isReady_ = true;
     in_.distance.gather(x_, y_, window_);
+    gatherContinuations();
     bestDistance_ = errors_(x_, y_);
     if (bestDistance_ == kUnknown) {
       int samples = 0;
@@ -70,7 +75,35 @@ class TileSweep {
       count(1, samples);
       errors_(x_, y_) = bestDistance_;
     }
-    bestTotal_ = bestDistance_ + uniformityTerm(startX_, startY_, start_.frame);
+    bestTotal_ =
+        bestDistance_ + uniformityTerm(startX_, startY_, start_.frame) + incoherenceTerm(start_);
+  }
+
+  /// A neighbour's match as it stands, or beyond the tile's edge as it was before the sweep.
+  [[nodiscard]] const Match& matchAt(int x, int y) const {
+    return tile_.contains(x, y) ? nnf_(x, y) : in_.before(x, y);
+  }
+
+  void gatherContinuations() {
+    continuationCount_ = 0;
+    if (in_.problem.options.coherenceWeight == 0.0F) return;
+    for (const Step& step : kBeside) {
+      const int nx = x_ + step.x;
+      const int ny = y_ + step.y;
+      if (!nnf_.contains(nx, ny) || !matchAt(nx, ny).exists()) continue;
+      continuations_[continuationCount_++] =
+          matchAt(nx, ny).moved({static_cast<float>(-step.x), static_cast<float>(-step.y)});
+    }
+  }
+
+  /// The share of the neighbours whose patches the match does not continue, weighted.
+  [[nodiscard]] float incoherenceTerm(const Match& match) const {
+    if (continuationCount_ == 0) return 0.0F;
+    const auto broken = std::count_if(
+        continuations_.begin(), continuations_.begin() + continuationCount_,
+        [&match](const Match& continuation) { return !continues(match, continuation); });
+    return in_.problem.options.coherenceWeight * static_cast<float>(broken) /
+           static_cast<float>(continuationCount_);
   }
 
   /// lambda Omega / omega_best, of the uses by all other pixels. The visited pixel's own match is
@@ -86,19 +119,20 @@ class TileSweep {
   /// @param sx  nearest pixel of the candidate, in the image.
   void tryMatch(const Match& candidate, int sx, int sy) {
     prepare();
-    const float uniformity = uniformityTerm(sx, sy, candidate.frame);
-    if (uniformity >= bestTotal_) return;
+    const float charge = uniformityTerm(sx, sy, candidate.frame) + incoherenceTerm(candidate);
+    if (charge >= bestTotal_) return;
     int samples = 0;
-    const float distance = in_.distance(window_, candidate, bestTotal_ - uniformity, &samples);
+    const float distance = in_.distance(window_, candidate, bestTotal_ - charge, &samples);
     count(1, samples);
-    keepIfBetter(candidate, distance, uniformity);
+    keepIfBetter(candidate, distance, charge);
   }
 
-  bool keepIfBetter(const Match& candidate, float distance, float uniformity) {
-    if (!(distance + uniformity < bestTotal_)) return false;  // nor a NaN
+  /// @param charge  what the candidate costs besides its patch distance.
+  bool keepIfBetter(const Match& candidate, float distance, float charge) {
+    if (!(distance + charge < bestTotal_)) return false;  // nor a NaN
     best_ = candidate;
     bestDistance_ = distance;
-    bestTotal_ = distance + uniformity;
+    bestTotal_ = distance + charge;
     return true;
   }
 
@@ -116,7 +150,7 @@ class TileSweep {
     // Beyond the tile's edge a change is seen one sweep late, and has to be tried when it is
     const bool isNew = !isOwn || in_.changing(nx, ny) != 0 || changed_(nx, ny) != 0;
     if (!in_.everyNeighbor && !isNew) return;
-    const Match& neighbor = isOwn ? nnf_(nx, ny) : in_.before(nx, ny);
+    const Match& neighbor = matchAt(nx, ny);
     if (!neighbor.exists()) return;
     const Match candidate = neighbor.moved({static_cast<float>(-dx), static_cast<float>(-dy)});
     if (areAlike(candidate, best_)) return;
@@ -201,15 +235,20 @@ class TileSweep {
     if (!place.isLegal) return false;
     const float uniformity = uniformityTerm(place.x, place.y, place.frame);
     if (uniformity >= bestTotal_) return false;
-    Match candidate{static_cast<float>(place.x), static_cast<float>(place.y), place.frame,
-                    alignedRotation(in_.problem, x_, y_, place.x, place.y, place.frame)};
+    Match sameWay{static_cast<float>(place.x), static_cast<float>(place.y), place.frame,
+                  alignedRotation(in_.problem, x_, y_, place.x, place.y, place.frame)};
+    Match opposite = sameWay;
+    opposite.rotation = sameWay.rotation.opposite();
+    const float sameWayCharge = uniformity + incoherenceTerm(sameWay);
+    const float oppositeCharge = uniformity + incoherenceTerm(opposite);
+    const float bound = bestTotal_ - std::min(sameWayCharge, oppositeCharge);
+    if (bound <= 0.0F) return false;
     int samples = 0;
     const std::array<float, 2> distances =
-        in_.distance.ofBothWays(window_, candidate, bestTotal_ - uniformity, samples);
+        in_.distance.ofBothWays(window_, sameWay, bound, samples);
     count(2, samples);
-    const bool sameWay = keepIfBetter(candidate, distances[0], uniformity);
-    candidate.rotation = candidate.rotation.opposite();
-    return keepIfBetter(candidate, distances[1], uniformity) || sameWay;
+    const bool isSameWayKept = keepIfBetter(sameWay, distances[0], sameWayCharge);
+    return keepIfBetter(opposite, distances[1], oppositeCharge) || isSameWayKept;
   }
 
   void keepBest() {
@@ -266,6 +305,8 @@ class TileSweep {
   Match best_;
   float bestDistance_ = 0.0F;
   float bestTotal_ = 0.0F;
+  std::array<Match, kBeside.size()> continuations_;  ///< of the neighbours' patches, at this pixel
+  std::size_t continuationCount_ = 0;                ///< how many neighbours have one
 };
 
 }  // namespace

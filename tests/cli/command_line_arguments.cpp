@@ -48,6 +48,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
+      {"--coherence-weight", "2.5",
+       [](C c) { return c.options.synthesis.coherenceWeight == 2.5F; }},
       {"--lambda", "1.5", [](C c) { return c.options.synthesis.lambda == 1.5F; }},
       {"--occ-radius", "5", [](C c) { return c.options.synthesis.occRadiusFrames == 5; }},
       {"--patchmatch-alpha", "0.5",

@@ -37,6 +37,19 @@ struct Match {
          near(a.rotation.sine, b.rotation.sine, kAlikeTurn);
 }
 
+/// Whether a match shows the same patch of the exemplar as another match at the same pixel: their
+/// windows then agree to within a pixel.
+[[nodiscard]] inline bool continues(const Match& match, const Match& continuation) {
+  constexpr float kNearPx =
+      0.3F;  // looser, fields never settle: a match slides on along its neighbours
+  constexpr float kTurnCosine = 0.9F;  // 26 degrees move a window's edge by less than a pixel
+  const Vec2 away{match.x - continuation.x, match.y - continuation.y};
+  const float turn = match.rotation.cosine * continuation.rotation.cosine +
+                     match.rotation.sine * continuation.rotation.sine;
+  return match.frame == continuation.frame && dot(away, away) <= kNearPx * kNearPx &&
+         turn >= kTurnCosine;
+}
+
 /// Whether source and target move roughly in opposite directions under a match (thesis §3.5). Unit
 /// directions are compared, so that material at rest keeps the answer of its last movement.
 [[nodiscard]] inline bool isOpposite(Vec2 targetDirection, Vec2 sourceDirection,
