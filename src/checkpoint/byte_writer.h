@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -7,7 +8,6 @@
 #include <vector>
 
 #include "fluidymation/io/digest.h"
-#include "io/little_endian.h"
 
 namespace fluidymation {
 
@@ -15,9 +15,19 @@ namespace fluidymation {
 class ByteWriter {
  public:
   void byte(std::uint8_t value) { bytes_.push_back(value); }
-  void number(std::uint32_t value) { appendLittleEndian(bytes_, value); }
+  void number(std::uint32_t value) {
+    const std::array<std::uint8_t, 4> bytes = {
+        static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8U),
+        static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 24U)};
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
   void number(std::int32_t value) { number(static_cast<std::uint32_t>(value)); }
-  void number(float value) { appendLittleEndian(bytes_, value); }
+  void number(float value) {
+    std::uint32_t bits = 0;
+    static_assert(sizeof bits == sizeof value);
+    std::memcpy(&bits, &value, sizeof bits);
+    number(bits);
+  }
   void number(double value) {
     std::uint64_t bits = 0;
     static_assert(sizeof bits == sizeof value);

@@ -18,6 +18,7 @@
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/pyramid.h"
+#include "fluidymation/synthesis/stages.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/flow_note.h"
@@ -28,7 +29,12 @@
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
 #include "pipeline/nnf_dump.h"
+#include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
+#include "pipeline/run_fingerprint.h"
+#include "pipeline/run_journal.h"
+#include "pipeline/run_lock.h"
+#include "pipeline/starting_point.h"
 #include "pipeline/thread_count.h"
 
 namespace fluidymation {
@@ -40,6 +46,24 @@ void stopIfCancelled(const Observer& observer, int written, int count) {
   throw Interrupted("interrupted; " + std::to_string(written) + " of " + std::to_string(count) +
                     " frames written");
 }
+
+void tell(const Observer& observer, const std::string& note) {
+  if (!note.empty() && observer.note) observer.note(note);
+}
+
+/// Lets a frame be dropped at the beginning of any of its stages.
+class StopAtStages : public StageObserver {
+ public:
+  /// @param stopIfWanted  throws to stop.
+  explicit StopAtStages(std::function<void()> stopIfWanted) : stop_(std::move(stopIfWanted)) {}
+
+  void begins(Stage /*stage*/, int /*level*/) override { stop_(); }
+  void ends(Stage /*stage*/, int /*level*/) override {}
+  void searched(int /*level*/, const SearchStatistics& /*done*/) override {}
+
+ private:
+  std::function<void()> stop_;
+};
 
 void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
                 const GuideFrame& frame) {
@@ -153,6 +177,56 @@ std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
   };
 }
 
+RunIdentity identityOf(const Options& options, const Inputs& inputs,
+                       const std::vector<std::string>& outPaths,
+                       const std::function<void()>& beforeEach) {
+  const CheckpointLimits limits{inputs.color.scaled, inputs.color.files.count(),
+                                inputs.target.scaled, inputs.target.files.count()};
+  return {RunFiles(FramePattern(options.outPath)), inputs.target.files.numbers, outPaths,
+          fingerprintOf(options, inputs, beforeEach), limits};
+}
+
+/// Brings guides and search to where painting begins: the guides of each frame depend on those
+/// before it.
+void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
+          const std::function<void()>& stopIfWanted, Synthesizer& synthesizer) {
+  GuideFrame last;
+  for (int j = 0; j < start.span.begin; ++j) {
+    stopIfWanted();
+    last = guide(j);
+  }
+  if (start.state) {
+    synthesizer.restore(std::move(*start.state), last);
+  } else {
+    synthesizer.startAfresh(start.span.begin);
+  }
+}
+
+/// Paints, and saves the state when that is stopped or fails.
+/// @throws what `paint` throws; where that is Interrupted, with the way to go on.
+void runSavingState(RunJournal& journal, const std::function<void()>& paint) {
+  try {
+    paint();
+  } catch (const Interrupted& stop) {
+    std::string text = stop.what();
+    bool canResume = false;
+    try {
+      canResume = journal.save();
+      if (canResume) text += "; --resume goes on from there";
+    } catch (const Error& error) {
+      text += std::string("; the state cannot be saved: ") + error.what();
+    }
+    throw Interrupted(text, canResume);
+  } catch (...) {
+    try {
+      journal.save();
+    } catch (const Error&) {  // the first fault is the one to tell of
+    }
+    throw;
+  }
+  journal.finish();
+}
+
 /// What is written of a frame that is not dumped.
 GuideFrame outlineOnly(GuideFrame guides) {
   GuideFrame outline;
@@ -181,6 +255,15 @@ void stylize(const Options& given, const Observer& observer) {
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
   const std::string chosen = chosenWidths(given, options);
   if (!chosen.empty() && observer.note) observer.note("chosen by size:" + chosen);
+
+  RunIdentity run = identityOf(options, inputs, outPaths, stopBeforeTheFirst);
+  RunLock lock(run.files);
+  lock.takeIfUsed();
+  const FrameSpan wanted = wantedFrames(options, run.numbers);
+  StartingPoint start = findStart(options.continuation, wanted, run, stopBeforeTheFirst);
+  tell(observer, start.note);
+  if (start.span.begin == start.span.end) return;
+
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
@@ -188,7 +271,7 @@ void stylize(const Options& given, const Observer& observer) {
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopBeforeTheFirst));
+      flowReader(inputs.sourceFlow, stopBeforeTheFirst), {}, stopBeforeTheFirst);
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   GuideStream guides(
@@ -199,19 +282,26 @@ void stylize(const Options& given, const Observer& observer) {
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
       flowReader(inputs.targetFlow, stopBeforeTheFirst),
-      memoryWatch(options.target.path, frameCount, otherBytes));
+      memoryWatch(options.target.path, frameCount, otherBytes), stopBeforeTheFirst);
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
   Exemplar exemplar = readPictures(options, inputs, observer);
   createOutputFolders(options, outPaths);
+  tell(observer, lock.take());
   addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
-  Synthesizer synthesizer(exemplar, options.synthesis);
+  int frameAtWork = start.span.begin;
+  const auto stopIfWanted = [&] { stopIfCancelled(observer, frameAtWork, frameCount); };
+  StopAtStages stops(stopIfWanted);
+  Synthesizer synthesizer(exemplar, options.synthesis, &stops);
   FrameWriter writer(options.compressionLevel);
+  RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
+  journal.discardOldStates();
 
   const bool dumps = options.dumpGuidesDirectory.has_value();
-  const std::vector<int>& numbers = inputs.target.files.numbers;
+  const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
   stages.guide = guideStage(guides, withAges);
+  goOn(stages.guide, start, stopIfWanted, synthesizer);
   std::optional<std::string> note;  // on the frame painted last
   stages.paint = [&](int j, GuideFrame frame) {
     note = flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion);
@@ -219,28 +309,34 @@ void stylize(const Options& given, const Observer& observer) {
     painted.picture = synthesizer.paint(frame);
     painted.guides = dumps ? std::move(frame) : outlineOnly(std::move(frame));
     if (dumps) painted.nnf = synthesizer.nnf();
+    painted.state = std::make_shared<const SynthesisState>(synthesizer.state());
     return painted;
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
-    writer.write(outPaths[at(j)], painted.picture, painted.guides);
-    if (!dumps) return;
-    const std::string folder = dumpFolder(options, "target");
-    dumpGuides(folder, numbers[at(j)], painted.guides);
-    dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
-                             exemplar.level(0).size());
+    const Digest digest = writer.write(outPaths[at(j)], painted.picture, painted.guides);
+    if (dumps) {
+      const std::string folder = dumpFolder(options, "target");
+      dumpGuides(folder, numbers[at(j)], painted.guides);
+      dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
+                               exemplar.level(0).size());
+    }
+    journal.frameWritten(j, digest, painted.state);
   };
 
   FrameEvents events;
-  events.begins = [&](int j) { stopIfCancelled(observer, j, frameCount); };
+  events.begins = [&](int j) {
+    frameAtWork = j;
+    stopIfWanted();
+  };
   events.painted = [&](int /*frame*/) {
     if (note && observer.note) observer.note(*note);
   };
   events.written = [&](int j, double seconds) {
     if (!observer.frameDone) return;
-    observer.frameDone({j, frameCount, numbers[at(j)], seconds, outPaths[at(j)]});
+    observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)]});
   };
-  if (observer.paintingBegins) observer.paintingBegins(frameCount);
-  runFrames(frameCount, stages, shares, events);
+  if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
+  runSavingState(journal, [&] { runFrames(start.span, stages, shares, events); });
 }
 
 }  // namespace fluidymation
