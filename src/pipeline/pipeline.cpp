@@ -18,7 +18,6 @@
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/pyramid.h"
-#include "fluidymation/synthesis/stages.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/flow_note.h"
@@ -31,39 +30,18 @@
 #include "pipeline/nnf_dump.h"
 #include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
-#include "pipeline/run_fingerprint.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
 #include "pipeline/starting_point.h"
+#include "pipeline/stopping.h"
 #include "pipeline/thread_count.h"
 
 namespace fluidymation {
 namespace {
 
-/// @throws Interrupted when the caller wants no more.
-void stopIfCancelled(const Observer& observer, int written, int count) {
-  if (!observer.cancelled || !observer.cancelled()) return;
-  throw Interrupted("interrupted; " + std::to_string(written) + " of " + std::to_string(count) +
-                    " frames written");
-}
-
 void tell(const Observer& observer, const std::string& note) {
   if (!note.empty() && observer.note) observer.note(note);
 }
-
-/// Lets a frame be dropped at the beginning of any of its stages.
-class StopAtStages : public StageObserver {
- public:
-  /// @param stopIfWanted  throws to stop.
-  explicit StopAtStages(std::function<void()> stopIfWanted) : stop_(std::move(stopIfWanted)) {}
-
-  void begins(Stage /*stage*/, int /*level*/) override { stop_(); }
-  void ends(Stage /*stage*/, int /*level*/) override {}
-  void searched(int /*level*/, const SearchStatistics& /*done*/) override {}
-
- private:
-  std::function<void()> stop_;
-};
 
 void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
                 const GuideFrame& frame) {
@@ -134,12 +112,12 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
 
 /// The exemplar with its colours, which are all that is read of it after masks and flow.
 /// @throws Interrupted, Error.
-Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
+Exemplar readPictures(const Options& options, const Inputs& inputs, const Stopping& stopping) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     *options.borderWidthPx, options.synthesis.shape);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopIfCancelled(observer, 0, inputs.target.files.count());
+    stopping.check();
     exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
   }
   return exemplar;
@@ -149,10 +127,10 @@ Exemplar readPictures(const Options& options, const Inputs& inputs, const Observ
 /// @param withAges  whether they hold ages.
 /// @throws Interrupted, Error.
 void addGuides(const Options& options, const Inputs& inputs, bool withAges, GuideStream& guides,
-               const Observer& observer, Exemplar& exemplar) {
+               const Stopping& stopping, const Observer& observer, Exemplar& exemplar) {
   FilmAges ages;
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopIfCancelled(observer, 0, inputs.target.files.count());
+    stopping.check();
     GuideFrame frame = guides.next();
     if (withAges) frame.age = ages.next(frame.mask);
     const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
@@ -177,22 +155,13 @@ std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
   };
 }
 
-RunIdentity identityOf(const Options& options, const Inputs& inputs,
-                       const std::vector<std::string>& outPaths,
-                       const std::function<void()>& beforeEach) {
-  const CheckpointLimits limits{inputs.color.scaled, inputs.color.files.count(),
-                                inputs.target.scaled, inputs.target.files.count()};
-  return {RunFiles(FramePattern(options.outPath)), inputs.target.files.numbers, outPaths,
-          fingerprintOf(options, inputs, beforeEach), limits};
-}
-
 /// Brings guides and search to where painting begins: the guides of each frame depend on those
 /// before it.
 void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
-          const std::function<void()>& stopIfWanted, Synthesizer& synthesizer) {
+          const Stopping& stopping, Synthesizer& synthesizer) {
   GuideFrame last;
   for (int j = 0; j < start.span.begin; ++j) {
-    stopIfWanted();
+    stopping.check();
     last = guide(j);
   }
   if (start.state) {
@@ -200,31 +169,6 @@ void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
   } else {
     synthesizer.startAfresh(start.span.begin);
   }
-}
-
-/// Paints, and saves the state when that is stopped or fails.
-/// @throws what `paint` throws; where that is Interrupted, with the way to go on.
-void runSavingState(RunJournal& journal, const std::function<void()>& paint) {
-  try {
-    paint();
-  } catch (const Interrupted& stop) {
-    std::string text = stop.what();
-    bool canResume = false;
-    try {
-      canResume = journal.save();
-      if (canResume) text += "; --resume goes on from there";
-    } catch (const Error& error) {
-      text += std::string("; the state cannot be saved: ") + error.what();
-    }
-    throw Interrupted(text, canResume);
-  } catch (...) {
-    try {
-      journal.save();
-    } catch (const Error&) {  // the first fault is the one to tell of
-    }
-    throw;
-  }
-  journal.finish();
 }
 
 /// What is written of a frame that is not dumped.
@@ -246,52 +190,55 @@ void stylize(const Options& given, const Observer& observer) {
   Options options = given;
   const std::vector<std::string> outPaths = checkOutput(options, inputs);
   const int frameCount = inputs.target.files.count();
-  const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
+  Stopping stopping(observer, frameCount);
+  const auto stopIfWanted = [&] { stopping.check(); };
 
   // All files are read before anything is written, and only masks, flows and colours are kept: a
   // damaged one must leave neither half a dump nor an empty folder.
-  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
-  const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
-  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
+  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopIfWanted);
+  const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
+  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
   const std::string chosen = chosenWidths(given, options);
   if (!chosen.empty() && observer.note) observer.note("chosen by size:" + chosen);
 
-  RunIdentity run = identityOf(options, inputs, outPaths, stopBeforeTheFirst);
+  const RunIdentity run = identityOf(options, inputs, outPaths, stopIfWanted);
   RunLock lock(run.files);
   lock.takeIfUsed();
   const FrameSpan wanted = wantedFrames(options, run.numbers);
-  StartingPoint start = findStart(options.continuation, wanted, run, stopBeforeTheFirst);
+  StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
   tell(observer, start.note);
   if (start.span.begin == start.span.end) return;
+  const auto countWritten = [&](int j) {  // all before frame j
+    stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
+  };
+  countWritten(start.span.begin);
 
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
-        stopBeforeTheFirst();
+        stopIfWanted();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopBeforeTheFirst), {}, stopBeforeTheFirst);
+      flowReader(inputs.sourceFlow, stopIfWanted), {}, stopIfWanted);
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   GuideStream guides(
       frameCount,
       [&](int frame) {
-        stopBeforeTheFirst();
+        stopIfWanted();
         return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopBeforeTheFirst),
-      memoryWatch(options.target.path, frameCount, otherBytes), stopBeforeTheFirst);
+      flowReader(inputs.targetFlow, stopIfWanted),
+      memoryWatch(options.target.path, frameCount, otherBytes), stopIfWanted);
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
-  Exemplar exemplar = readPictures(options, inputs, observer);
+  Exemplar exemplar = readPictures(options, inputs, stopping);
   createOutputFolders(options, outPaths);
   tell(observer, lock.take());
-  addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
-  int frameAtWork = start.span.begin;
-  const auto stopIfWanted = [&] { stopIfCancelled(observer, frameAtWork, frameCount); };
-  StopAtStages stops(stopIfWanted);
+  addGuides(options, inputs, withAges, sourceGuides, stopping, observer, exemplar);
+  StopAtStages stops(stopping);
   Synthesizer synthesizer(exemplar, options.synthesis, &stops);
   FrameWriter writer(options.compressionLevel);
   RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
@@ -301,7 +248,6 @@ void stylize(const Options& given, const Observer& observer) {
   const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
   stages.guide = guideStage(guides, withAges);
-  goOn(stages.guide, start, stopIfWanted, synthesizer);
   std::optional<std::string> note;  // on the frame painted last
   stages.paint = [&](int j, GuideFrame frame) {
     note = flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion);
@@ -325,8 +271,8 @@ void stylize(const Options& given, const Observer& observer) {
 
   FrameEvents events;
   events.begins = [&](int j) {
-    frameAtWork = j;
-    stopIfWanted();
+    countWritten(j);
+    stopping.check();
   };
   events.painted = [&](int /*frame*/) {
     if (note && observer.note) observer.note(*note);
@@ -336,7 +282,10 @@ void stylize(const Options& given, const Observer& observer) {
     observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)]});
   };
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
-  runSavingState(journal, [&] { runFrames(start.span, stages, shares, events); });
+  paintSavingState(journal, [&] {
+    goOn(stages.guide, start, stopping, synthesizer);
+    runFrames(start.span, stages, shares, events);
+  });
 }
 
 }  // namespace fluidymation

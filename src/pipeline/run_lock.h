@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "checkpoint/run_files.h"
 #include "fluidymation/io/file_lock.h"

@@ -10,6 +10,7 @@
 #include "checkpoint/manifest.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
+#include "pipeline/run_fingerprint.h"
 
 namespace fluidymation {
 namespace {
@@ -155,6 +156,15 @@ void requireDecision(const RunIdentity& run, const std::optional<Manifest>& mani
 }
 
 }  // namespace
+
+RunIdentity identityOf(const Options& options, const Inputs& inputs,
+                       const std::vector<std::string>& outPaths,
+                       const std::function<void()>& beforeEach) {
+  const CheckpointLimits limits{inputs.color.scaled, inputs.color.files.count(),
+                                inputs.target.scaled, inputs.target.files.count()};
+  return {RunFiles(FramePattern(options.outPath)), inputs.target.files.numbers, outPaths,
+          fingerprintOf(options, inputs, beforeEach), limits};
+}
 
 bool isWhole(FrameSpan wanted, const RunIdentity& run) {
   return wanted.begin == 0 && wanted.end == run.frameCount();

@@ -9,6 +9,7 @@
 #include "checkpoint/run_files.h"
 #include "fluidymation/options.h"
 #include "pipeline/frame_line.h"
+#include "pipeline/inputs.h"
 
 namespace fluidymation {
 
@@ -22,6 +23,12 @@ struct RunIdentity {
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(numbers.size()); }
 };
+
+/// @param outPaths    frames to be written, one for each of the target's.
+/// @param beforeEach  called before each input file that is read.
+[[nodiscard]] RunIdentity identityOf(const Options& options, const Inputs& inputs,
+                                     const std::vector<std::string>& outPaths,
+                                     const std::function<void()>& beforeEach);
 
 /// Where a run begins.
 struct StartingPoint {
