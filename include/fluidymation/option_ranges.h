@@ -47,6 +47,7 @@ inline constexpr Range kPatchmatchIterations{1, 1000};
 inline constexpr Range kOptIterations{0, 1000};
 inline constexpr Range kCompressionLevels{kLeastCompression, kMostCompression};
 inline constexpr Range kThreads{1, 1024};
+inline constexpr Range kCheckpointFrames{1, 1e6};
 
 /// Iteration counts in a list, at least one: a pyramid has no more levels than this.
 inline constexpr int kLongestList = 32;

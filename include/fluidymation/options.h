@@ -165,6 +165,24 @@ enum class NewMaterial {
   kPlain,  ///< the thesis': as its motion extents say; what lies still looks as if it always had
 };
 
+/// Frames of a target by their own numbers, both ends included.
+struct FrameNumbers {
+  int first = 0;
+  int last = 0;
+};
+
+/// How a run goes on after one that was stopped, and what it keeps for the next one. None of this
+/// changes a byte of a frame, unless `render` begins where no state is.
+struct ContinuationOptions {
+  bool resume = false;   ///< go on after the last frame that a state is there of
+  bool restart = false;  ///< discard what a run that was stopped has left; not with `resume`
+  /// A state is saved after every so many frames; where not given, as often as costs
+  /// `kCheckpointShare` of the run.
+  std::optional<int> checkpointEvery;
+  bool keepStates = false;             ///< keep all of them, for `render`
+  std::optional<FrameNumbers> render;  ///< the only frames to be painted
+};
+
 /// Everything one run depends on. What each option accepts is stated in option_ranges.h.
 struct Options {
   SequenceOptions source;
@@ -195,6 +213,7 @@ struct Options {
   SynthesisOptions synthesis;
 
   std::optional<std::string> dumpGuidesDirectory;
+  ContinuationOptions continuation;
   int compressionLevel = kDefaultCompression;  ///< of the painted frames: size and clock only
   int threads = 1;                             ///< changes the clock only, never a byte
 };

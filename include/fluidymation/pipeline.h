@@ -10,7 +10,7 @@ namespace fluidymation {
 /// A target frame that has been painted and written.
 struct FrameReport {
   int index = 0;         ///< 0 for the first frame of the sequence
-  int count = 0;         ///< frames of the sequence
+  int count = 0;         ///< frames of the sequence; with --render-frames, up to the last of these
   int frameNumber = 0;   ///< the user's own number
   double seconds = 0.0;  ///< since the frame before was written, or painting began
   std::string path;      ///< the file written
@@ -22,17 +22,19 @@ struct Observer {
   std::function<void(const std::string&)> note;  ///< one sentence for the user
   /// A frame is written. With more than one thread the next one may be painted by then.
   std::function<void(const FrameReport&)> frameDone;
-  /// Whether to stop. Asked between frames, where no file is half written.
+  /// Whether to stop. Asked often; a frame at work is dropped then, and no file half written.
   std::function<bool()> cancelled;
-  /// All masks and the exemplar are read, and the first of so many frames is begun.
-  std::function<void(int frameCount)> paintingBegins;
+  /// All masks and the exemplar are read, and the first frame (its number from 0 in the sequence)
+  /// of so many is begun.
+  std::function<void(int frame, int frameCount)> paintingBegins;
 };
 
 /// Validates the options and checks every input, then paints every target frame and writes it, on
-/// `given.threads` threads. Leaves OpenMP's setting as it was. Widths that are not given are chosen
-/// by the sizes of film and animation (automatic.h).
-/// @throws Interrupted when `observer.cancelled` asked for it; Error, UsageError for options that
-/// `validate` refuses; prints nothing.
+/// `given.threads` threads. Keeps a manifest and states beside the frames, and goes on from such a
+/// state where `given.continuation` says so. Leaves OpenMP's setting as it was. Widths that are not
+/// given are chosen by the sizes of film and animation (automatic.h).
+/// @throws Interrupted when `observer.cancelled` asked for it, after the state is saved; Error,
+/// UsageError for options that `validate` refuses; prints nothing.
 void stylize(const Options& given, const Observer& observer);
 
 }  // namespace fluidymation

@@ -16,6 +16,7 @@
 #include "cli/option_table.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/version.h"
 #include "fluidymation/option_ranges.h"
 
 namespace fluidymation::cli {
@@ -121,6 +122,14 @@ void applyOption(const Spec& spec, const std::vector<std::string>& values, bool 
   spec.apply(line, value);
 }
 
+/// --verify wants nothing but its manifest.
+void refuseOthers(const std::string& alone, const std::vector<Spec>& table, const CLI::App& app) {
+  for (const Spec& spec : table) {
+    if (spec.name == alone || app.get_option(spec.name)->count() == 0) continue;
+    throw UsageError(alone + ", " + spec.name + ": wanted " + alone + " alone");
+  }
+}
+
 void requireOptions(const std::vector<Spec>& table, const CLI::App& app) {
   std::string missing;
   for (const Spec& spec : table) {
@@ -200,7 +209,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     throw UsageError(oneLine(error.what()) + " (see --help)");
   }
   if (app.count(kVersion) > 0) {
-    line.information = "fluidymation " FLUIDYMATION_VERSION "\n";
+    line.information = "fluidymation " + version() + "\n";
     return line;
   }
   // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
@@ -214,7 +223,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   // After the values: what a forgotten value pushed aside is not the user's mistake.
   const std::vector<std::string> extras = app.remaining();
   if (!extras.empty()) refuseArgument(extras.front(), table);
-  requireOptions(table, app);
+  if (line.manifest) {
+    refuseOthers("--verify", table, app);
+  } else {
+    requireOptions(table, app);
+  }
   return line;
 }
 

@@ -11,6 +11,7 @@ namespace fluidymation::cli {
 struct CommandLine {
   Options options;
   bool quiet = false;
+  std::optional<std::string> manifest;     ///< check the frames against it and do nothing else
   std::optional<std::string> information;  ///< help or version: print it and do nothing else
 };
 

@@ -20,6 +20,7 @@ constexpr const char* kSequences = "Sequences";
 constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
 constexpr const char* kSynthesis = "Synthesis";
+constexpr const char* kGoingOn = "Stopping and going on";
 
 /// Finds a field in a CommandLine, to read its default and to set it.
 template <typename T>
@@ -414,6 +415,49 @@ void addSynthesis(Table& table) {
              }});
 }
 
+void addGoingOn(Table& table) {
+  table.add(
+      {"--resume", kGoingOn, "",
+       "go on after the last frame that a stopped run has saved a\nstate of: the same bytes as "
+       "without a stop\n(default off)",
+       false,
+       [](CommandLine& line, const std::string&) { line.options.continuation.resume = true; }});
+  table.add(
+      {"--restart", kGoingOn, "",
+       "discard what a stopped run has left, and begin anew\n(default off)", false,
+       [](CommandLine& line, const std::string&) { line.options.continuation.restart = true; }});
+  table.add({"--checkpoint-every", kGoingOn, "N",
+             "frames from one saved state to the next\n(default as often as costs 2 % of the time; "
+             "in " +
+                 ranges::kCheckpointFrames.text() + ")",
+             false, [](CommandLine& line, const std::string& value) {
+               line.options.continuation.checkpointEvery =
+                   parseInt("--checkpoint-every", value, ranges::kCheckpointFrames);
+             }});
+  table.add({"--keep-states", kGoingOn, "",
+             "keep all saved states, for --render-frames\n(default off: the last one, until all is "
+             "painted)",
+             false, [](CommandLine& line, const std::string&) {
+               line.options.continuation.keepStates = true;
+             }});
+  table.add({"--render-frames", kGoingOn, "A-B",
+             "paint only these of the animation's frames, guided by all of\nthem; as in a full run "
+             "where a state of the frame before A is\nsaved, else afresh\n(default all)",
+             false, [](CommandLine& line, const std::string& value) {
+               line.options.continuation.render = parseFrameNumbers("--render-frames", value);
+             }});
+  table.add(
+      {"--verify", kGoingOn, "MANIFEST",
+       "paint nothing; compare the frames beside a manifest,\nfluidymation.json, with what it "
+       "says of them\n(default off)",
+       false, [](CommandLine& line, const std::string& value) {
+         if (value.empty()) {
+           throw UsageError(shown("--verify", value) + ": wanted a manifest's name");
+         }
+         line.manifest = value;
+       }});
+}
+
 void addRunning(Table& table) {
   table.add({"--threads", kRunningGroup, "N",
              "changes the clock only, never a byte\n(default OMP_NUM_THREADS, else "
@@ -437,6 +481,7 @@ std::vector<Spec> optionTable() {
   addMasksAndMotion(table);
   addGuides(table);
   addSynthesis(table);
+  addGoingOn(table);
   addRunning(table);
   return table.take();
 }

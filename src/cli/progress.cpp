@@ -33,8 +33,8 @@ std::string clockText(double seconds) {
 
 void Progress::readingBegins() { rewrite("reading the masks and the exemplar ..."); }
 
-void Progress::paintingBegins(int frameCount) {
-  rewrite("frame 1 of " + std::to_string(frameCount) + " ...");
+void Progress::paintingBegins(int frame, int frameCount) {
+  rewrite("frame " + std::to_string(frame + 1) + " of " + std::to_string(frameCount) + " ...");
 }
 
 void Progress::note(const std::string& text) {
@@ -49,7 +49,7 @@ void Progress::frameDone(const FrameReport& report) {
   if (style_ == Style::kQuiet) return;
   totalSeconds_ += report.seconds;
   const int done = report.index + 1;
-  framesDone_ = done;
+  ++framesDone_;
   if (firstPath_.empty()) firstPath_ = report.path;
   lastPath_ = report.path;
   const std::string place =
@@ -59,7 +59,7 @@ void Progress::frameDone(const FrameReport& report) {
          << std::flush;
     return;
   }
-  const double mean = totalSeconds_ / done;
+  const double mean = totalSeconds_ / framesDone_;
   rewrite(place + twoDecimals(mean) + " s/frame  " + clockText(mean * (report.count - done)) +
           " left");
 }

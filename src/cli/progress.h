@@ -16,7 +16,8 @@ class Progress {
   Progress(std::ostream& out, Style style) : out_(out), style_(style) {}
 
   void readingBegins();
-  void paintingBegins(int frameCount);
+  /// @param frame  to be painted first, from 0.
+  void paintingBegins(int frame, int frameCount);
   void note(const std::string& text);
   void frameDone(const FrameReport& report);
 

@@ -7,7 +7,7 @@
 namespace fluidymation::cli {
 namespace {
 
-constexpr std::array<int, 2> kStopSignals = {SIGINT, SIGTERM};
+constexpr std::array<int, 3> kStopSignals = {SIGINT, SIGTERM, SIGHUP};
 
 // Any thread may receive the signal, and a handler must not wait for a lock.
 std::atomic<int> received{0};
@@ -15,7 +15,10 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void rememberSignal(int number) {
   received.store(number);
-  for (const int signal : kStopSignals) std::signal(signal, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  // A closed terminal is told of twice: by the kernel and by the shell.
+  std::signal(SIGHUP, SIG_IGN);
 }
 
 }  // namespace

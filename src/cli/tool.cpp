@@ -7,8 +7,10 @@
 
 #include "cli/command_line.h"
 #include "cli/progress.h"
+#include "cli/resume_command.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/verify.h"
 
 namespace fluidymation::cli {
 namespace {
@@ -30,10 +32,11 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
       streams.errIsTerminal ? Progress::Style::kTerminal : Progress::Style::kPlain;
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
-  const Observer observer{[&](const std::string& text) { progress.note(text); },
-                          [&](const FrameReport& report) { progress.frameDone(report); },
-                          [&] { return stopSignal && stopSignal() != 0; },
-                          [&](int frameCount) { progress.paintingBegins(frameCount); }};
+  const Observer observer{
+      [&](const std::string& text) { progress.note(text); },
+      [&](const FrameReport& report) { progress.frameDone(report); },
+      [&] { return stopSignal && stopSignal() != 0; },
+      [&](int frame, int frameCount) { progress.paintingBegins(frame, frameCount); }};
   try {
     progress.readingBegins();
     engine(line.options, observer);
@@ -44,9 +47,23 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
   progress.allDone();
 }
 
+/// Says in which frames the disk differs from the manifest. @return  kFailed where it does.
+[[nodiscard]] ExitCode verifyFrames(const std::string& manifest, const Streams& streams) {
+  const Verification found = verify(manifest);
+  for (const std::string& fault : found.faults) streams.out << oneLine(fault) + "\n";
+  if (found.faults.empty()) {
+    streams.out << oneLine(manifest) + ": " + std::to_string(found.frames) +
+                       (found.frames == 1 ? " frame is" : " frames are") + " as painted\n";
+  }
+  streams.out << std::flush;
+  if (!streams.out.good()) throw Error("standard output cannot be written");
+  return found.faults.empty() ? kDone : kFailed;
+}
+
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,
                                      const Engine& engine, const StopSignal& stopSignal) {
   const CommandLine line = parseCommandLine(argc, argv);
+  if (line.manifest) return verifyFrames(*line.manifest, streams);
   if (!line.information) {
     paint(line, streams, engine, stopSignal);
     return kDone;
@@ -63,7 +80,11 @@ int runTool(int argc, const char* const* argv, const Streams& streams, const Eng
   try {
     return parseAndPaint(argc, argv, streams, engine, stopSignal);
   } catch (const Interrupted& stop) {
-    streams.err << "fluidymation: " + oneLine(stop.what()) + "\n" << std::flush;
+    streams.err << "fluidymation: " + oneLine(stop.what()) + "\n";
+    if (stop.canResume()) {
+      streams.err << "fluidymation: go on with: " + oneLine(resumeCommand(argc, argv)) + "\n";
+    }
+    streams.err << std::flush;
     return kStoppedBySignal + (stopSignal ? stopSignal() : 0);
   } catch (const UsageError& error) {
     printError(streams, error.what());

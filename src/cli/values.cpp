@@ -105,6 +105,17 @@ FloatPair parseDescendingPair(const std::string& option, const std::string& text
                    " pixels with m_u greater than m_l, e.g. 10,2");
 }
 
+FrameNumbers parseFrameNumbers(const std::string& option, const std::string& text) {
+  // The hyphen between the numbers is the first one behind a digit.
+  const std::size_t hyphen = text.find('-', 1);
+  const auto first = parseWithin<int>(text.substr(0, hyphen), ranges::kFrameNumbers);
+  const auto last = hyphen == std::string::npos
+                        ? first
+                        : parseWithin<int>(text.substr(hyphen + 1), ranges::kFrameNumbers);
+  if (first && last) return {*first, *last};
+  throw UsageError(shown(option, text) + ": wanted two frame numbers, e.g. 10-80");
+}
+
 std::string shown(const std::string& option, const std::string& text) {
   constexpr std::size_t kLongestShown = 80;
   if (text.empty()) return option + " with an empty value";

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fluidymation/option_ranges.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation::cli {
 
@@ -33,6 +34,9 @@ struct FloatPair {
 };
 [[nodiscard]] FloatPair parseDescendingPair(const std::string& option, const std::string& text,
                                             const Range& range);
+
+/// Two frame numbers, "10-80", or "7" for "7-7"; negative ones too: "-3--1".
+[[nodiscard]] FrameNumbers parseFrameNumbers(const std::string& option, const std::string& text);
 
 /// `option`, and `text` as far as it is short and printable: how every complaint begins.
 [[nodiscard]] std::string shown(const std::string& option, const std::string& text);

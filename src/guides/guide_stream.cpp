@@ -31,7 +31,8 @@ bool hasEdge(const PackedMask& mask) {
 }  // namespace
 
 GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-                         const FlowReader& readFlow, const ShapeWatch& watch)
+                         const FlowReader& readFlow, const ShapeWatch& watch,
+                         const std::function<void()>& beforeFlow)
     : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
   assert(frameCount >= 1);
   std::vector<bool> edge;
@@ -46,7 +47,7 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   if (readFlow) {
     takeFlow(readFlow);
   } else {
-    deriveFlow(edge, options);
+    deriveFlow(edge, options, beforeFlow);
   }
 
   // Motion still to come, from the last frame backwards (§3.5)
@@ -59,14 +60,15 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   }
 }
 
-void GuideStream::deriveFlow(const std::vector<bool>& edge, const GuideOptions& options) {
+void GuideStream::deriveFlow(const std::vector<bool>& edge, const GuideOptions& options,
+                             const std::function<void()>& beforeFlow) {
   // Frames without an edge, empty and full ones, have stand-ins for distances: they end the
   // temporal window on both sides as the ends of the sequence do.
   for (int begin = 0; begin < frameCount(); ++begin) {
     if (!edge[at(begin)]) continue;
     int end = begin + 1;
     while (end < frameCount() && edge[at(end)]) ++end;
-    computeFlow(begin, end, options);
+    computeFlow(begin, end, options, beforeFlow);
     begin = end;
   }
 }
@@ -80,7 +82,8 @@ void GuideStream::takeFlow(const FlowReader& readFlow) {
   }
 }
 
-void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
+void GuideStream::computeFlow(int begin, int end, const GuideOptions& options,
+                              const std::function<void()>& beforeFlow) {
   if (end - begin < 2) return;  // a single frame does not move
   Box shapes;
   for (int i = begin; i < end; ++i) {
@@ -92,6 +95,7 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options) {
     return ShapeChanges::Shape{shape.packedMask().unpack(box), shape.edgeDistance(box)};
   });
   for (int i = begin; i < end; ++i) {
+    if (beforeFlow) beforeFlow();
     StoredFrame& frame = frames_[at(i)];
     const PackedMask& mask = frame.shape.packedMask();
     const MotionField motion =

@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -32,9 +33,14 @@ namespace fs = std::filesystem;
   throw Error(folder + ": files cannot be created in this folder (" + systemReason(code) + ")");
 }
 
+constexpr const char* kTemporaryMark = ".tmp.";
+constexpr std::size_t kLetterCount = 16;
+constexpr std::size_t kLongestPart = 200;  // of a file's name that its temporary one bears
+constexpr const char* kProbeName = "write-test";
+
 /// 64 random bits as letters, so that no listing takes them for a frame's number.
 [[nodiscard]] std::string randomLetters() {
-  std::array<unsigned char, 8> bytes{};
+  std::array<unsigned char, kLetterCount / 2> bytes{};
   if (getentropy(bytes.data(), bytes.size()) != 0) return "";
   std::string letters;
   for (const unsigned char byte : bytes) {
@@ -54,13 +60,12 @@ struct CreatedFile {
 /// the folder may have equal process numbers, on several machines or in several containers: hence a
 /// random name, and one that nobody has. Long names are cut: 255 bytes are the limit.
 [[nodiscard]] CreatedFile createTemporary(const std::string& path) {
-  constexpr std::size_t kLongestPart = 200;
   constexpr mode_t kMode = 0666;  // less the user's mask, as for any new file
   constexpr int kAttempts = 100;
   const std::size_t slash = path.rfind('/');
   const std::size_t nameBegin = slash == std::string::npos ? 0 : slash + 1;
   const std::string prefix =
-      path.substr(0, nameBegin) + "." + path.substr(nameBegin, kLongestPart) + ".tmp.";
+      path.substr(0, nameBegin) + "." + path.substr(nameBegin, kLongestPart) + kTemporaryMark;
   CreatedFile file;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const std::string letters = randomLetters();
@@ -71,6 +76,17 @@ struct CreatedFile {
     if (file.descriptor >= 0 || errno != EEXIST) break;
   }
   return file;
+}
+
+/// Makes a renaming last: a file's name belongs to its folder. Nothing is lost where that fails,
+/// for the file is whole under either name.
+void flushFolder(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
 }
 
 /// The file under its temporary name; removed again unless `publish` succeeds.
@@ -111,6 +127,7 @@ class TemporaryFile {
     if (std::fclose(file) != 0) failToWrite(path_, errno);
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) failToWrite(path_, errno);
     published_ = true;
+    flushFolder(path_);
   }
 
  private:
@@ -145,6 +162,31 @@ void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& f
   writeAtomically(path, [&file](const ByteSink& sink) { sink(file.data(), file.size()); });
 }
 
+std::optional<std::string> temporaryFileOf(const std::string& name) {
+  const std::size_t mark = name.rfind(kTemporaryMark);
+  if (mark == std::string::npos || mark < 2 || name[0] != '.') return std::nullopt;
+  const std::string letters = name.substr(mark + std::strlen(kTemporaryMark));
+  if (letters.size() != kLetterCount ||
+      letters.find_first_not_of("abcdefghijklmnop") != std::string::npos) {
+    return std::nullopt;
+  }
+  return name.substr(1, mark - 1);
+}
+
+int removeLeftovers(const std::string& folder,
+                    const std::function<bool(const std::string& name)>& isOurs) {
+  int removed = 0;
+  std::error_code failure;
+  fs::directory_iterator entry(folder, failure);
+  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    const std::optional<std::string> file = temporaryFileOf(entry->path().filename().string());
+    if (!file || (*file != kProbeName && !isOurs(*file))) continue;
+    std::error_code ignored;
+    if (fs::remove(entry->path(), ignored)) ++removed;
+  }
+  return removed;
+}
+
 void checkFolderCreatable(const std::string& folder) {
   std::error_code ignored;
   fs::path existing = folder;
@@ -171,7 +213,7 @@ void createFolder(const std::string& folder) {
 }
 
 void checkFolderWritable(const std::string& folder) {
-  const CreatedFile probe = createTemporary(folder + "/write-test");
+  const CreatedFile probe = createTemporary(folder + "/" + kProbeName);
   if (probe.descriptor < 0) failToWriteIn(folder, errno);
   close(probe.descriptor);
   std::remove(probe.path.c_str());

@@ -106,6 +106,11 @@ std::string FramePattern::folder() const {
   return slash == 0 ? "/" : head_.substr(0, slash);
 }
 
+std::pair<std::string, std::string> FramePattern::nameParts() const {
+  const std::size_t slash = head_.rfind('/');
+  return {head_.substr(slash == std::string::npos ? 0 : slash + 1), tail_};
+}
+
 std::optional<int> FramePattern::numberOf(const std::string& fileName) const {
   const std::size_t slash = head_.rfind('/');
   const std::size_t nameBegin = slash == std::string::npos ? 0 : slash + 1;

@@ -14,13 +14,13 @@ namespace {
 /// Makes guides one frame ahead of who takes them.
 class GuidesAhead {
  public:
-  GuidesAhead(int frameCount, const FrameStages& stages, int loopThreads)
-      : frameCount_(frameCount), stages_(stages) {
+  GuidesAhead(FrameSpan span, const FrameStages& stages, int loopThreads)
+      : end_(span.end), stages_(stages), next_(span.begin) {
     if (loopThreads > 0) worker_.emplace(loopThreads);
     beginNext();
   }
 
-  /// Of the next frame. Not called more than `frameCount` times.
+  /// Of the next frame. Not called more often than the span has frames.
   [[nodiscard]] GuideFrame take() {
     if (!worker_) return stages_.guide(next_++);
     GuideFrame guides = coming_.get();
@@ -30,14 +30,14 @@ class GuidesAhead {
 
  private:
   void beginNext() {
-    if (!worker_ || next_ == frameCount_) return;
+    if (!worker_ || next_ == end_) return;
     coming_ = worker_->start([this, frame = next_] { return stages_.guide(frame); });
     ++next_;
   }
 
-  int frameCount_;
+  int end_;
   const FrameStages& stages_;
-  int next_ = 0;
+  int next_;
   std::future<GuideFrame> coming_;
   std::optional<Worker> worker_;  ///< none where nothing goes on beside the caller
 };
@@ -93,12 +93,12 @@ ThreadShares shareThreads(int threads) {
   return {threads, std::max(2, threads / 2), 1};
 }
 
-void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,
+void runFrames(FrameSpan span, const FrameStages& stages, const ThreadShares& threads,
                const FrameEvents& events) {
   WritingBehind writing(stages, events, threads.write);
-  GuidesAhead guides(frameCount, stages, threads.guide);
+  GuidesAhead guides(span, stages, threads.guide);
   try {
-    for (int frame = 0; frame < frameCount; ++frame) {
+    for (int frame = span.begin; frame < span.end; ++frame) {
       events.begins(frame);
       PaintedFrame painted = stages.paint(frame, guides.take());
       writing.finish();

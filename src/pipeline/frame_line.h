@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/synthesis/nnf.h"
+#include "fluidymation/synthesis/synthesis_state.h"
 
 namespace fluidymation {
 
@@ -15,6 +17,14 @@ struct PaintedFrame {
   Image<Lab> picture;
   GuideFrame guides;                        ///< mask and coverage; everything where it is dumped
   std::optional<NearestNeighborField> nnf;  ///< where it is dumped
+  /// What is needed to go on after this frame; none where that is not possible.
+  std::shared_ptr<const SynthesisState> state;
+};
+
+/// Frames of a target, counted from 0.
+struct FrameSpan {
+  int begin = 0;
+  int end = 0;  ///< behind the last one
 };
 
 /// What is done with each frame of a target. Each stage gets the frames in order, one at a time.
@@ -53,7 +63,7 @@ struct ThreadShares {
 /// guides took 0.73 to 0.76 s (two runs each, short searches).
 [[nodiscard]] ThreadShares shareThreads(int threads);
 
-/// Takes frames 0 to `frameCount` - 1 through all stages. `paint` runs in the caller's thread. With
+/// Takes the frames of `span` through all stages. `paint` runs in the caller's thread. With
 /// threads beside it, the guides of the next frame are made and the frame before is written
 /// meanwhile; at any time there is at most one frame in each stage and one between `guide` and
 /// `paint`. Without, nothing is done before it is wanted: one stage after the other.
@@ -62,7 +72,7 @@ struct ThreadShares {
 /// told to be, before the fault is written and told of. The fault of the earliest frame is the one
 /// that comes out.
 /// @throws whatever stages and events throw; std::system_error when a thread cannot be started.
-void runFrames(int frameCount, const FrameStages& stages, const ThreadShares& threads,
+void runFrames(FrameSpan span, const FrameStages& stages, const ThreadShares& threads,
                const FrameEvents& events);
 
 }  // namespace fluidymation

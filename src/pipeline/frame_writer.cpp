@@ -32,8 +32,8 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& guides,
   return output;
 }
 
-void FrameWriter::write(const std::string& path, const Image<Lab>& picture,
-                        const GuideFrame& guides) {
+Digest FrameWriter::write(const std::string& path, const Image<Lab>& picture,
+                          const GuideFrame& guides) {
   Image<Rgba8> output = toOutput(picture, guides, encoder_);
   if (lastFile_.empty() || !looksAlike(output, last_)) {
     lastFile_ = encodePng(output, compressionLevel_);
@@ -41,6 +41,7 @@ void FrameWriter::write(const std::string& path, const Image<Lab>& picture,
     ++encodedCount_;
   }
   writeAtomically(path, lastFile_);
+  return digestOf(lastFile_.data(), lastFile_.size());
 }
 
 }  // namespace fluidymation

@@ -7,6 +7,7 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/io/digest.h"
 #include "fluidymation/io/png.h"
 
 namespace fluidymation {
@@ -25,8 +26,9 @@ class FrameWriter {
   explicit FrameWriter(int compressionLevel) : compressionLevel_(compressionLevel) {}
 
   /// @param guides  mask and coverage of the frame.
+  /// @return  of the file.
   /// @throws Error naming the file that cannot be written.
-  void write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
+  Digest write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
 
   /// Frames that were encoded so far.
   [[nodiscard]] int encodedCount() const { return encodedCount_; }

@@ -57,12 +57,17 @@ constexpr double kShapeBytes = 12.0;
 constexpr double kAgeBytes = 4.0 + 4.0 + 1.0 + 4.0;
 constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
 
+// What is needed to go on after a frame, matches and movement owed; its file marks each pixel too.
+constexpr double kStateBytes = sizeof(Match) + sizeof(float);
+constexpr double kStateFileBytes = kStateBytes + sizeof(std::uint8_t);
 // Per pixel of a frame being written: its picture, mask and coverage, the pixels of the file, and
-// the file, which compression hardly makes larger than they are, twice while it grows.
-constexpr double kWritingBytes =
-    sizeof(Lab) + sizeof(std::uint8_t) + sizeof(float) + 3.0 * sizeof(Rgba8);
-// What is kept of the frame written last, in case that the next one looks alike: pixels and file.
-constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8);
+// the file, which compression hardly makes larger than they are, twice while it grows; then its
+// state and the state's file.
+constexpr double kWritingBytes = sizeof(Lab) + sizeof(std::uint8_t) + sizeof(float) +
+                                 3.0 * sizeof(Rgba8) + kStateBytes + kStateFileBytes;
+// What is kept of the frame written last, in case that the next one looks alike: pixels and file;
+// and its state, in case that the run is stopped.
+constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8) + kStateBytes;
 // What is added where frames are dumped: all their guides, their matches, and these as files hold
 // them.
 constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;

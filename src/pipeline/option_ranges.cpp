@@ -157,6 +157,12 @@ void validate(const Options& options) {
   check("--time-blur-sigma", options.timeBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check("--flow-blur-sigma", options.flowBlurSigmaFrames, ranges::kTimeSigmasFrames);
   check(options.synthesis);
+  if (options.continuation.resume && options.continuation.restart) {
+    throw UsageError("--resume, --restart: wanted one of them at most");
+  }
+  if (options.continuation.checkpointEvery) {
+    check("--checkpoint-every", *options.continuation.checkpointEvery, ranges::kCheckpointFrames);
+  }
   check("--compression-level", options.compressionLevel, ranges::kCompressionLevels);
   check("--threads", options.threads, ranges::kThreads);
 }

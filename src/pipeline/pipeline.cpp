@@ -28,17 +28,19 @@
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
 #include "pipeline/nnf_dump.h"
+#include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
+#include "pipeline/run_journal.h"
+#include "pipeline/run_lock.h"
+#include "pipeline/starting_point.h"
+#include "pipeline/stopping.h"
 #include "pipeline/thread_count.h"
 
 namespace fluidymation {
 namespace {
 
-/// @throws Interrupted when the caller wants no more.
-void stopIfCancelled(const Observer& observer, int written, int count) {
-  if (!observer.cancelled || !observer.cancelled()) return;
-  throw Interrupted("interrupted; " + std::to_string(written) + " of " + std::to_string(count) +
-                    " frames written");
+void tell(const Observer& observer, const std::string& note) {
+  if (!note.empty() && observer.note) observer.note(note);
 }
 
 void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
@@ -110,12 +112,12 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
 
 /// The exemplar with its colours, which are all that is read of it after masks and flow.
 /// @throws Interrupted, Error.
-Exemplar readPictures(const Options& options, const Inputs& inputs, const Observer& observer) {
+Exemplar readPictures(const Options& options, const Inputs& inputs, const Stopping& stopping) {
   const Size size = inputs.color.scaled;
   Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
                     *options.borderWidthPx, options.synthesis.shape);
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopIfCancelled(observer, 0, inputs.target.files.count());
+    stopping.check();
     exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
   }
   return exemplar;
@@ -125,10 +127,10 @@ Exemplar readPictures(const Options& options, const Inputs& inputs, const Observ
 /// @param withAges  whether they hold ages.
 /// @throws Interrupted, Error.
 void addGuides(const Options& options, const Inputs& inputs, bool withAges, GuideStream& guides,
-               const Observer& observer, Exemplar& exemplar) {
+               const Stopping& stopping, const Observer& observer, Exemplar& exemplar) {
   FilmAges ages;
   for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopIfCancelled(observer, 0, inputs.target.files.count());
+    stopping.check();
     GuideFrame frame = guides.next();
     if (withAges) frame.age = ages.next(frame.mask);
     const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
@@ -153,6 +155,22 @@ std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
   };
 }
 
+/// Brings guides and search to where painting begins: the guides of each frame depend on those
+/// before it.
+void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
+          const Stopping& stopping, Synthesizer& synthesizer) {
+  GuideFrame last;
+  for (int j = 0; j < start.span.begin; ++j) {
+    stopping.check();
+    last = guide(j);
+  }
+  if (start.state) {
+    synthesizer.restore(std::move(*start.state), last);
+  } else {
+    synthesizer.startAfresh(start.span.begin);
+  }
+}
+
 /// What is written of a frame that is not dumped.
 GuideFrame outlineOnly(GuideFrame guides) {
   GuideFrame outline;
@@ -172,44 +190,62 @@ void stylize(const Options& given, const Observer& observer) {
   Options options = given;
   const std::vector<std::string> outPaths = checkOutput(options, inputs);
   const int frameCount = inputs.target.files.count();
-  const auto stopBeforeTheFirst = [&] { stopIfCancelled(observer, 0, frameCount); };
+  Stopping stopping(observer, frameCount);
+  const auto stopIfWanted = [&] { stopping.check(); };
 
   // All files are read before anything is written, and only masks, flows and colours are kept: a
   // damaged one must leave neither half a dump nor an empty folder.
-  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopBeforeTheFirst);
-  const MaskChannel targetChannel = maskChannel(inputs.target, stopBeforeTheFirst);
-  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopBeforeTheFirst, options);
+  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopIfWanted);
+  const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
+  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
   const std::string chosen = chosenWidths(given, options);
   if (!chosen.empty() && observer.note) observer.note("chosen by size:" + chosen);
+
+  const RunIdentity run = identityOf(options, inputs, outPaths, stopIfWanted);
+  RunLock lock(run.files);
+  lock.takeIfUsed();
+  const FrameSpan wanted = wantedFrames(options, run.numbers);
+  StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
+  tell(observer, start.note);
+  if (start.span.begin == start.span.end) return;
+  const auto countWritten = [&](int j) {  // all before frame j
+    stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
+  };
+  countWritten(start.span.begin);
+
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
-        stopBeforeTheFirst();
+        stopIfWanted();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopBeforeTheFirst));
+      flowReader(inputs.sourceFlow, stopIfWanted), {}, stopIfWanted);
   requireMaterial(options, sourceGuides);
   const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   GuideStream guides(
       frameCount,
       [&](int frame) {
-        stopBeforeTheFirst();
+        stopIfWanted();
         return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopBeforeTheFirst),
-      memoryWatch(options.target.path, frameCount, otherBytes));
+      flowReader(inputs.targetFlow, stopIfWanted),
+      memoryWatch(options.target.path, frameCount, otherBytes), stopIfWanted);
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
-  Exemplar exemplar = readPictures(options, inputs, observer);
+  Exemplar exemplar = readPictures(options, inputs, stopping);
   createOutputFolders(options, outPaths);
-  addGuides(options, inputs, withAges, sourceGuides, observer, exemplar);
-  Synthesizer synthesizer(exemplar, options.synthesis);
+  tell(observer, lock.take());
+  addGuides(options, inputs, withAges, sourceGuides, stopping, observer, exemplar);
+  StopAtStages stops(stopping);
+  Synthesizer synthesizer(exemplar, options.synthesis, &stops);
   FrameWriter writer(options.compressionLevel);
+  RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
+  journal.discardOldStates();
 
   const bool dumps = options.dumpGuidesDirectory.has_value();
-  const std::vector<int>& numbers = inputs.target.files.numbers;
+  const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
   stages.guide = guideStage(guides, withAges);
   std::optional<std::string> note;  // on the frame painted last
@@ -219,28 +255,37 @@ void stylize(const Options& given, const Observer& observer) {
     painted.picture = synthesizer.paint(frame);
     painted.guides = dumps ? std::move(frame) : outlineOnly(std::move(frame));
     if (dumps) painted.nnf = synthesizer.nnf();
+    painted.state = std::make_shared<const SynthesisState>(synthesizer.state());
     return painted;
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
-    writer.write(outPaths[at(j)], painted.picture, painted.guides);
-    if (!dumps) return;
-    const std::string folder = dumpFolder(options, "target");
-    dumpGuides(folder, numbers[at(j)], painted.guides);
-    dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
-                             exemplar.level(0).size());
+    const Digest digest = writer.write(outPaths[at(j)], painted.picture, painted.guides);
+    if (dumps) {
+      const std::string folder = dumpFolder(options, "target");
+      dumpGuides(folder, numbers[at(j)], painted.guides);
+      dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
+                               exemplar.level(0).size());
+    }
+    journal.frameWritten(j, digest, painted.state);
   };
 
   FrameEvents events;
-  events.begins = [&](int j) { stopIfCancelled(observer, j, frameCount); };
+  events.begins = [&](int j) {
+    countWritten(j);
+    stopping.check();
+  };
   events.painted = [&](int /*frame*/) {
     if (note && observer.note) observer.note(*note);
   };
   events.written = [&](int j, double seconds) {
     if (!observer.frameDone) return;
-    observer.frameDone({j, frameCount, numbers[at(j)], seconds, outPaths[at(j)]});
+    observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)]});
   };
-  if (observer.paintingBegins) observer.paintingBegins(frameCount);
-  runFrames(frameCount, stages, shares, events);
+  if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
+  paintSavingState(journal, [&] {
+    goOn(stages.guide, start, stopping, synthesizer);
+    runFrames(start.span, stages, shares, events);
+  });
 }
 
 }  // namespace fluidymation

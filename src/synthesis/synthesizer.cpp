@@ -152,9 +152,30 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
                                 : optimizedField(l, nnf, shifted, fresh, target);
   }
   nnf_ = std::move(nnf);
-  return timed(Stage::kPaint, 0, [&] {
-    return paintedVote(exemplar_.level(0), paintedPixels(frame), nnf_, options_.paintedVote).color;
-  });
+  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame); });
+}
+
+Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides) const {
+  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf_, options_.paintedVote).color;
+}
+
+SynthesisState Synthesizer::state() const {
+  SynthesisState state{frame_, size_, box_, nnf_.clone(), owed_.clone()};
+  for (std::size_t i = 0; i < state.owed.pixelCount(); ++i) {
+    // Left over from before an empty frame; `shift` does not look at it
+    if (!state.nnf.data()[i].exists()) state.owed.data()[i] = 0.0F;
+  }
+  return state;
+}
+
+void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
+  frame_ = state.frame;
+  size_ = state.size;
+  box_ = state.box;
+  nnf_ = std::move(state.nnf);
+  owed_ = std::move(state.owed);
+  guides_ = croppedGuides(last, box_);
+  picture_ = countInside(guides_.mask) > 0 ? paintedPicture(guides_) : Image<Lab>(box_.size());
 }
 
 std::vector<TargetLevel> Synthesizer::levelsOf(const GuideFrame& frame) const {

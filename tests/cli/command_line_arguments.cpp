@@ -87,6 +87,12 @@ const std::vector<Reaching>& reachingOptions() {
        }},
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
+      {"--checkpoint-every", "5", [](C c) { return c.options.continuation.checkpointEvery == 5; }},
+      {"--render-frames", "-3--1",
+       [](C c) {
+         const auto& render = c.options.continuation.render;
+         return render && render->first == -3 && render->last == -1;
+       }},
       {"--compression-level", "7", [](C c) { return c.options.compressionLevel == 7; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
       {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},

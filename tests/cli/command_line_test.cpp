@@ -27,6 +27,10 @@ TEST(CommandLine, EveryOptionReachesTheOptions) {
   }
   EXPECT_TRUE(parse(complete({"--quiet"})).quiet);
   EXPECT_FALSE(defaults.quiet);
+  EXPECT_TRUE(parse(complete({"--resume"})).options.continuation.resume);
+  EXPECT_TRUE(parse(complete({"--restart"})).options.continuation.restart);
+  EXPECT_TRUE(parse(complete({"--keep-states"})).options.continuation.keepStates);
+  EXPECT_EQ(parse({"--verify", "m.json"}).manifest, "m.json");
 }
 
 TEST(CommandLine, PathsReachTheOptions) {

@@ -101,6 +101,8 @@ TEST(EndToEndOutput, FramesOfAnInputThatAreNotUsedAreSafeToo) {
     EXPECT_EQ(scene.paint(quietly(options)).exitCode, 0);
     scene.remove(folder + "/000005.png");
     scene.remove(folder + "/000006.png");
+    scene.remove(folder + "/fluidymation.json");
+    scene.remove(folder + "/.fluidymation");
   }
   EXPECT_TRUE(contentOf(scene) == before);
 }

@@ -15,7 +15,7 @@ TEST(Progress, ATerminalGetsOneLineThatIsRewritten) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kTerminal);
   progress.readingBegins();
-  progress.paintingBegins(80);
+  progress.paintingBegins(0, 80);
   progress.frameDone(report(0, 1.0));
   progress.frameDone(report(1, 0.5));
   progress.finishLine();
@@ -31,7 +31,7 @@ TEST(Progress, AFileGetsOnePlainLinePerFrame) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kPlain);
   progress.readingBegins();
-  progress.paintingBegins(80);
+  progress.paintingBegins(0, 80);
   progress.frameDone(report(0, 1.0));
   progress.note("something\nodd");
   progress.frameDone(report(1, 0.256));
@@ -68,16 +68,26 @@ TEST(Progress, NotesStandAboveTheLineBeingRewritten) {
   progress.note("last");
   EXPECT_EQ(out.str(),
             "fluidymation: note: first\n"
-            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K"
+            "\rframe 80 of 80  1.00 s/frame  00:00 left\x1b[K"
             "\r\x1b[Kfluidymation: note: last\n"
-            "\rframe 80 of 80  0.01 s/frame  00:00 left\x1b[K");
+            "\rframe 80 of 80  1.00 s/frame  00:00 left\x1b[K");
+}
+
+TEST(Progress, CountsTheFramesOfThisRunWhereOthersWerePaintedBefore) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kTerminal);
+  progress.paintingBegins(70, 80);
+  progress.frameDone(report(70, 2.0));
+  EXPECT_EQ(out.str(),
+            "\rframe 71 of 80 ...\x1b[K"
+            "\rframe 71 of 80  2.00 s/frame  00:18 left\x1b[K");
 }
 
 TEST(Progress, QuietSaysNothing) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kQuiet);
   progress.readingBegins();
-  progress.paintingBegins(80);
+  progress.paintingBegins(0, 80);
   progress.note("something");
   progress.frameDone(report(0, 1.0));
   progress.allDone();

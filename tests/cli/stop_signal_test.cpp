@@ -30,6 +30,18 @@ TEST(StopSignal, TheFirstIsRememberedTheSecondEndsTheProcess) {
   }
 }
 
+TEST(StopSignal, AClosedTerminalIsToldOfTwice) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGHUP, SIG_DFL);
+        listenForStopSignals();
+        std::raise(SIGHUP);
+        std::raise(SIGHUP);
+        _exit(receivedStopSignal() == SIGHUP ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
 TEST(StopSignal, WhatIsIgnoredStaysIgnored) {
   EXPECT_EXIT(
       {

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -95,10 +96,10 @@ void connect(const Descriptor& from, int to) {
 }
 
 /// Reads both streams until the program closes them; false when the time was over first. Calls
-/// `afterOutput` once, when something has come from standard error.
+/// `afterLines` once, when so many lines have come from standard error.
 [[nodiscard]] bool readToEnd(Stream& out, Stream& err, ProcessResult& result,
-                             std::chrono::steady_clock::time_point deadline,
-                             const std::function<void()>& afterOutput) {
+                             std::chrono::steady_clock::time_point deadline, int lines,
+                             const std::function<void()>& afterLines) {
   bool told = false;
   while (out.test.isOpen() || err.test.isOpen()) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -117,7 +118,8 @@ void connect(const Descriptor& from, int to) {
       std::string& text = i == 0 ? result.out : result.err;
       if (count > 0) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (i == 1 && !std::exchange(told, true)) afterOutput();
+        const auto ended = std::count(result.err.begin(), result.err.end(), '\n');
+        if (i == 1 && ended >= lines && !std::exchange(told, true)) afterLines();
       } else if (count == 0 || errno != EINTR) {
         end.reset();
       }
@@ -180,6 +182,7 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
     // Where the tests run in the background of a script the shell has these ignored.
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGHUP, SIG_DFL);
     if (chdir(setup.workingFolder.c_str()) != 0) _exit(kNotStarted);
     if (setup.unprivileged) dropPrivileges();
     // By descriptor: the ordinary user need not be able to reach the build folder.
@@ -191,12 +194,16 @@ ProcessResult runProcess(const std::string& program, const std::vector<std::stri
 
   ProcessResult result;
   const auto deadline = start + setup.timeout;
-  const bool complete = readToEnd(out, err, result, deadline, [&] {
-    if (setup.signalAfterOutput) kill(child, *setup.signalAfterOutput);
+  auto signalled = start;
+  const bool complete = readToEnd(out, err, result, deadline, setup.linesBeforeSignal, [&] {
+    if (!setup.signalAfterOutput) return;
+    kill(child, *setup.signalAfterOutput);
+    signalled = std::chrono::steady_clock::now();
   });
   waitForEnd(child, !complete, deadline, result);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  result.seconds = spent.count();
+  const auto end = std::chrono::steady_clock::now();
+  result.seconds = std::chrono::duration<double>(end - start).count();
+  result.secondsAfterSignal = std::chrono::duration<double>(end - signalled).count();
   return result;
 }
 

@@ -30,8 +30,9 @@ struct ProcessSetup {
   std::optional<std::uint64_t> addressSpaceBytes;
   /// As an ordinary user where the test runs as root; the folder has to be that user's.
   bool unprivileged = false;
-  /// Sent once, as soon as the program has written anything to standard error.
+  /// Sent once, as soon as the program has written so many lines to standard error.
   std::optional<int> signalAfterOutput;
+  int linesBeforeSignal = 1;
   /// For the slowest build; a program that runs longer is ended and counts as hung.
   std::chrono::seconds timeout{240};
 };
@@ -43,7 +44,8 @@ struct ProcessResult {
   std::string out;
   std::string err;
   double seconds = 0.0;
-  std::int64_t peakBytes = 0;  ///< largest resident memory
+  double secondsAfterSignal = 0.0;  ///< from the signal to the program's end
+  std::int64_t peakBytes = 0;       ///< largest resident memory
 };
 
 /// Runs the program of that path with these arguments, no shell in between, and waits for its end.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "fluidymation/core/random.h"
@@ -28,6 +29,15 @@ float sourceRadius(Size size, int number) {
 }
 
 constexpr const char* kErrorPrefix = "fluidymation: error: ";
+
+/// What a run keeps beside its frames.
+bool isKeptBeside(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  constexpr std::string_view kManifest = "fluidymation.json";
+  return name == ".fluidymation" ||
+         (name.size() >= kManifest.size() &&
+          name.compare(name.size() - kManifest.size(), kManifest.size(), kManifest) == 0);
+}
 
 ::testing::AssertionResult describe(const char* what, const ProcessResult& result) {
   return ::testing::AssertionFailure()
@@ -139,7 +149,7 @@ std::vector<std::string> SmallScene::names(const std::string& folder) const {
   std::vector<std::string> names;
   if (!fs::is_directory(file(folder))) return names;
   for (const auto& entry : fs::directory_iterator(file(folder))) {
-    names.push_back(entry.path().filename().string());
+    if (!isKeptBeside(entry)) names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -190,6 +200,7 @@ SmallScene::Painting filesOf(const std::string& folder) {
   SmallScene::Painting files;
   if (!fs::is_directory(folder)) return files;
   for (const auto& entry : fs::directory_iterator(folder)) {
+    if (isKeptBeside(entry) || entry.is_directory()) continue;
     files[entry.path().filename().string()] = readBytes(entry.path().string());
   }
   return files;

@@ -56,7 +56,7 @@ class SmallScene {
   void remove(const std::string& name) const;
 
   /// Everything in a folder of the scene, hidden files too, sorted; empty when there is no such
-  /// folder.
+  /// folder. Not what a run keeps beside its frames: manifest and hidden folder.
   [[nodiscard]] std::vector<std::string> names(const std::string& folder) const;
 
   /// Options that suit so small pictures, with paths relative to the scene's folder.
@@ -89,7 +89,7 @@ inline const std::vector<std::string> kNothing;
 inline const std::vector<std::string> kFourFrames = {"00001.png", "00002.png", "00003.png",
                                                      "00004.png"};
 
-/// All files of a folder by name.
+/// All files of a folder by name, likewise without manifest and folders.
 [[nodiscard]] SmallScene::Painting filesOf(const std::string& folder);
 
 /// Whether this is an 8-bit RGBA file of the mask's size that is opaque inside the mask, and

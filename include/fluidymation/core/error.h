@@ -21,7 +21,14 @@ class UsageError : public Error {
 /// The caller asked the work to stop. No fault, hence no Error; the text says how far it came.
 class Interrupted : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param canResume  whether a state is there that `--resume` goes on from.
+  explicit Interrupted(const std::string& text, bool canResume = false)
+      : std::runtime_error(text), canResume_(canResume) {}
+
+  [[nodiscard]] bool canResume() const { return canResume_; }
+
+ private:
+  bool canResume_;
 };
 
 }  // namespace fluidymation

@@ -29,8 +29,10 @@ class GuideStream {
   /// masks may be empty or full. `frameCount` >= 1.
   /// @param readFlow  where given, replaces the flow derived from the masks, and its smoothing.
   /// @param watch  told of what is stored, as the masks are read.
+  /// @param beforeFlow  called before the flow of each frame is derived; may throw to stop.
   GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-              const FlowReader& readFlow = {}, const ShapeWatch& watch = {});
+              const FlowReader& readFlow = {}, const ShapeWatch& watch = {},
+              const std::function<void()>& beforeFlow = {});
 
   [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
 
@@ -53,11 +55,13 @@ class GuideStream {
   };
 
   /// Fills in all flows, derived from the masks or as given.
-  void deriveFlow(const std::vector<bool>& edge, const GuideOptions& options);
+  void deriveFlow(const std::vector<bool>& edge, const GuideOptions& options,
+                  const std::function<void()>& beforeFlow);
   void takeFlow(const FlowReader& readFlow);
 
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
-  void computeFlow(int begin, int end, const GuideOptions& options);
+  void computeFlow(int begin, int end, const GuideOptions& options,
+                   const std::function<void()>& beforeFlow);
 
   /// Replaces the flows of such a run by their means over time (P App. A): at each mask pixel a
   /// Gaussian over the frames around that have the pixel in their masks.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace fluidymation {
 
@@ -22,6 +23,9 @@ class FramePattern {
 
   /// Folder of all frames; "." where the pattern names none.
   [[nodiscard]] std::string folder() const;
+
+  /// What a file's name has before and behind its number: "rim_" and ".png" of "out/rim_%05d.png".
+  [[nodiscard]] std::pair<std::string, std::string> nameParts() const;
 
   /// The number of a file name (without folder) that `path` could have made, else nothing.
   [[nodiscard]] std::optional<int> numberOf(const std::string& fileName) const;

@@ -11,6 +11,7 @@
 #include "fluidymation/synthesis/occurrence.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/stages.h"
+#include "fluidymation/synthesis/synthesis_state.h"
 #include "fluidymation/synthesis/target_level.h"
 
 namespace fluidymation {
@@ -45,8 +46,22 @@ class Synthesizer {
   /// Whether the frame painted last is the one before once more.
   [[nodiscard]] bool held() const { return held_; }
 
+  /// What another synthesizer, of an equal exemplar and with equal options, needs to go on after
+  /// the frame painted last.
+  [[nodiscard]] SynthesisState state() const;
+
+  /// Goes on after the frame that `state` was taken of: all that follows is painted as there.
+  /// @param last  guides of that frame.
+  void restore(SynthesisState state, const GuideFrame& last);
+
+  /// Paints the next frame afresh, as frame number `frame` (from 0) of the target.
+  void startAfresh(int frame) { frame_ = frame; }
+
  private:
   [[nodiscard]] static Box whole(Size size) { return {0, 0, size.width, size.height}; }
+
+  /// The picture that the matches of the part `guides` of a frame give.
+  [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides) const;
 
   /// Paints what of the frame lies in `box_`; @return  the picture of that part.
   [[nodiscard]] Image<Lab> paintBox(const GuideFrame& frame);

@@ -253,5 +253,30 @@ TEST(CreateFolder, NamesTheFolderThatCannotBe) {
             folder.file("plain/a") + ": the folder cannot be created (Not a directory)");
 }
 
+TEST(AtomicFileLeftovers, AreKnownByTheirNames) {
+  const std::string letters = "abcdefghijklmnop";
+  EXPECT_EQ(temporaryFileOf(".a.png.tmp." + letters), "a.png");
+  EXPECT_EQ(temporaryFileOf(".a.tmp.b.tmp." + letters), "a.tmp.b");
+  for (const std::string& other :
+       {std::string(), "a.png.tmp." + letters, ".a.png.tmp." + letters.substr(1),
+        ".a.png.tmp.q" + letters.substr(1), "..tmp." + letters.substr(1), ".tmp." + letters,
+        std::string(".a.png")}) {
+    EXPECT_FALSE(temporaryFileOf(other).has_value()) << other;
+  }
+}
+
+TEST(AtomicFileLeftovers, AreRemovedWhereTheyAreOurs) {
+  const TemporaryFolder folder;
+  const std::string letters = "aaaabbbbccccdddd";
+  for (const std::string& name : {".a.png.tmp." + letters, ".b.png.tmp." + letters,
+                                  ".write-test.tmp." + letters, std::string("a.png")}) {
+    test::writeBytes(folder.file(name), bytesOf("half"));
+  }
+  EXPECT_EQ(removeLeftovers(folder.path(), [](const std::string& name) { return name == "a.png"; }),
+            2);
+  EXPECT_EQ(folder.names(), (Names{".b.png.tmp." + letters, "a.png"}));
+  EXPECT_EQ(removeLeftovers(folder.file("none"), [](const std::string&) { return true; }), 0);
+}
+
 }  // namespace
 }  // namespace fluidymation

@@ -68,7 +68,7 @@ class Line {
       EXPECT_GE(seconds, 0.0);
       tell("written ", frame);
     };
-    runFrames(frameCount, stages, threads_, events);
+    runFrames({0, frameCount}, stages, threads_, events);
   }
 
   /// What the caller was told, without "begins".

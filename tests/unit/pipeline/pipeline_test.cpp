@@ -46,27 +46,40 @@ TEST(Stylize, LeavesTheCallersThreadSettingAsItWas) {
   omp_set_num_threads(before);
 }
 
-TEST(Stylize, StopsAtEveryStageWhenAsked) {
+TEST(Stylize, StopsWheneverAskedAndGoesOnToTheSameFrames) {
   constexpr int kFrames = 3;
-  // Asked before each mask of the exemplar, twice, likewise of the target, before each picture, its
-  // guides, each frame to paint.
-  constexpr int kBeforeTheFirst = 6 * kFrames;
+  const SmallScene whole(kFrames);
+  stylize(optionsFor(whole), {});
   for (const int threads : {1, 2}) {
-    for (int patience = 0; patience < kBeforeTheFirst + kFrames; ++patience) {
-      const SmallScene scene(kFrames);
-      Options options = optionsFor(scene);
-      options.threads = threads;
+    const SmallScene scene(kFrames);
+    Options options = optionsFor(scene);
+    options.threads = threads;
+    bool stopped = true;
+    int before = 0;
+    for (int patience = 0; stopped; ++patience) {
+      SCOPED_TRACE(patience);
+      scene.remove("out");
       int asked = 0;
       int told = 0;
       Observer observer;
       observer.cancelled = [&] { return asked++ == patience; };
       observer.frameDone = [&](const FrameReport&) { ++told; };
-      const int written = std::max(0, patience - kBeforeTheFirst);
-      EXPECT_EQ(messageOf<Interrupted>([&] { stylize(options, observer); }),
-                "interrupted; " + std::to_string(written) + " of 3 frames written");
-      EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(written));
-      EXPECT_EQ(told, written);
+      const std::string message = messageOf<Interrupted>([&] { stylize(options, observer); });
+      stopped = !message.empty();
+      EXPECT_EQ(scene.names("out").size(), static_cast<std::size_t>(told));
+      EXPECT_GE(told, before);
+      before = told;
+      if (!stopped) break;
+      EXPECT_EQ(message, "interrupted; " + std::to_string(told) + " of 3 frames written" +
+                             (told > 0 ? "; --resume goes on from there" : ""));
+      if (patience % 5 != 0) continue;  // the others end in the same places
+      Options goingOn = options;
+      goingOn.continuation.resume = true;
+      goingOn.threads = 3 - threads;
+      stylize(goingOn, {});
+      EXPECT_TRUE(test::filesOf(scene.file("out")) == test::filesOf(whole.file("out")));
     }
+    EXPECT_EQ(before, kFrames);
   }
 }
 
@@ -77,7 +90,7 @@ TEST(Stylize, TellsOfTheFirstFrameBeforeItIsPainted) {
     options.threads = threads;
     std::string told;
     Observer observer;
-    observer.paintingBegins = [&](int count) { told += "begin " + std::to_string(count); };
+    observer.paintingBegins = [&](int, int count) { told += "begin " + std::to_string(count); };
     observer.frameDone = [&](const FrameReport& report) {
       told += ", done " + std::to_string(report.frameNumber);
       EXPECT_FALSE(scene.read(SmallScene::frame("out", report.frameNumber)).empty());
@@ -96,7 +109,7 @@ TEST(Stylize, AFrameThatCannotBeWrittenEndsTheRunAfterThoseBeforeIt) {
     Observer observer;
     // Nobody expects a folder of that name once all paths are checked.
     const std::string third = scene.file("out/00003.png");
-    observer.paintingBegins = [&](int) { std::filesystem::create_directory(third); };
+    observer.paintingBegins = [&](int, int) { std::filesystem::create_directory(third); };
     observer.frameDone = [&](const FrameReport&) { ++told; };
     EXPECT_EQ(messageOf<Error>([&] { stylize(options, observer); }),
               third + ": cannot be written (it is a folder)");

@@ -1,0 +1,172 @@
+#include "pipeline/option_texts.h"
+
+#include "fluidymation/option_ranges.h"
+
+namespace fluidymation {
+namespace {
+
+[[nodiscard]] std::string listText(const std::vector<int>& values) {
+  std::string text;
+  for (const int value : values) {
+    if (!text.empty()) text += ',';
+    text += std::to_string(value);
+  }
+  return text;
+}
+
+[[nodiscard]] std::string pairText(const ModulationBounds& bounds) {
+  return numberText(bounds.upper) + "," + numberText(bounds.lower);
+}
+
+/// The values that have no option but --preset.
+[[nodiscard]] std::string presetText(const SynthesisOptions& synthesis) {
+  const ModulationBounds& bounds = synthesis.prevModulation;
+  const bool clamped = synthesis.shape.modulation == ModulationDistance::kClamped;
+  const auto boundsAre = [&](ModulationUnit unit, float upper, float lower) {
+    return bounds.unit == ModulationUnit::kPixels ||
+           (bounds.unit == unit && bounds.upper == upper && bounds.lower == lower);
+  };
+  if (synthesis.edgeGain == 4.0F && clamped &&
+      boundsAre(ModulationUnit::kBorderWidths, 1.0F, 0.2F)) {
+    return "standard";
+  }
+  if (synthesis.edgeGain == 1.0F && clamped && bounds.unit == ModulationUnit::kPixels) {
+    return "thesis";
+  }
+  if (synthesis.edgeGain == 1.0F && !clamped &&
+      boundsAre(ModulationUnit::kTargetSides, 0.1F, 0.01F)) {
+    return "paper";
+  }
+  std::string text = "edge gain " + numberText(synthesis.edgeGain);
+  if (!clamped) text += ", modulation unclamped";
+  if (bounds.unit == ModulationUnit::kBorderWidths) {
+    text += ", bounds " + pairText(bounds) + " border widths";
+  }
+  if (bounds.unit == ModulationUnit::kTargetSides) {
+    text += ", bounds " + pairText(bounds) + " target sides";
+  }
+  return text;
+}
+
+[[nodiscard]] const char* word(MotionModel model) {
+  return model == MotionModel::kNormals ? "normals" : "rigid";
+}
+[[nodiscard]] const char* word(ShapeGuide guide) {
+  return guide == ShapeGuide::kEdgeDistance ? "distance" : "blurred";
+}
+[[nodiscard]] const char* word(ThinParts parts) {
+  return parts == ThinParts::kFringe ? "fringe" : "body";
+}
+[[nodiscard]] const char* word(ExtentUnit unit) {
+  return unit == ExtentUnit::kPixels ? "px" : "film";
+}
+[[nodiscard]] const char* word(SearchEffort effort) {
+  return effort == SearchEffort::kEverywhere ? "everywhere" : "focused";
+}
+[[nodiscard]] const char* word(FlowConvention convention) {
+  return convention == FlowConvention::kBackward ? "backward" : "forward";
+}
+[[nodiscard]] const char* word(NewMaterial material) {
+  switch (material) {
+    case NewMaterial::kAutomatic:
+      return "auto";
+    case NewMaterial::kFresh:
+      return "fresh";
+    case NewMaterial::kPlain:
+      break;
+  }
+  return "plain";
+}
+[[nodiscard]] const char* word(FinestLevel level) {
+  switch (level) {
+    case FinestLevel::kUpscaled:
+      return "upscaled";
+    case FinestLevel::kRefined:
+      return "refined";
+    case FinestLevel::kSearched:
+      break;
+  }
+  return "searched";
+}
+[[nodiscard]] const char* word(Interpolation interpolation) {
+  switch (interpolation) {
+    case Interpolation::kBilinear:
+      return "bilinear";
+    case Interpolation::kCubic:
+      return "cubic";
+    case Interpolation::kLanczos:
+      break;
+  }
+  return "lanczos";
+}
+
+void addSequence(const std::string& prefix, const SequenceOptions& sequence, OptionTexts& texts) {
+  texts.emplace_back(prefix + "-start", std::to_string(sequence.start));
+  texts.emplace_back(prefix + "-frames", std::to_string(sequence.frames));
+  texts.emplace_back(prefix + "-speed", std::to_string(sequence.speed));
+  texts.emplace_back(prefix + "-scale", numberText(sequence.scale));
+}
+
+void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
+  texts.emplace_back("--dist-weight", numberText(synthesis.distWeight));
+  texts.emplace_back("--flow-weight", numberText(synthesis.flowWeight));
+  texts.emplace_back("--dir-weight", numberText(synthesis.dirWeight));
+  texts.emplace_back("--prev-weight", numberText(synthesis.prevWeight));
+  texts.emplace_back("--shape-guide", word(synthesis.shape.guide));
+  texts.emplace_back("--segments", synthesis.shape.hardSegments ? "hard" : "none");
+  texts.emplace_back("--thin-parts", word(synthesis.thinParts));
+  texts.emplace_back("--extent-unit", word(synthesis.extentUnit));
+  if (synthesis.prevModulation.unit == ModulationUnit::kPixels) {
+    texts.emplace_back("--prev-modulation-bounds", pairText(synthesis.prevModulation));
+  }
+  texts.emplace_back("--tex-weight", numberText(synthesis.texWeight));
+  texts.emplace_back("--carry-motion", synthesis.carriesMotion ? "on" : "off");
+  texts.emplace_back("--lambda", numberText(synthesis.lambda));
+  texts.emplace_back("--occ-radius", std::to_string(synthesis.occRadiusFrames));
+  texts.emplace_back("--patchmatch-alpha", numberText(synthesis.patchmatchAlpha));
+  texts.emplace_back("--patchmatch-iterations", listText(synthesis.patchmatchIterations));
+  texts.emplace_back("--opt-iterations", listText(synthesis.optIterations));
+  texts.emplace_back("--search", word(synthesis.searchEffort));
+  texts.emplace_back("--finest-level", word(synthesis.finestLevel));
+  texts.emplace_back("--vote-sigma", numberText(synthesis.paintedVote.sigmaPx));
+  texts.emplace_back("--vote-interpolation", word(synthesis.paintedVote.interpolation));
+  texts.emplace_back("--seed", std::to_string(synthesis.seed));
+}
+
+}  // namespace
+
+OptionTexts shapingOptions(const Options& options) {
+  OptionTexts texts = {{"--preset", presetText(options.synthesis)},
+                       {"--compression-level", std::to_string(options.compressionLevel)}};
+  addSequence("--src", options.source, texts);
+  addSequence("--target", options.target, texts);
+  if (options.sourceFlowPath || options.targetFlowPath) {
+    texts.emplace_back("--flow-convention", word(options.flowConvention));
+  }
+  if (options.blurSigmaPx) texts.emplace_back("--blur-sigma", numberText(*options.blurSigmaPx));
+  if (options.targetBlurSigmaPx) {
+    texts.emplace_back("--target-blur-sigma", numberText(*options.targetBlurSigmaPx));
+  }
+  texts.emplace_back("--mask-threshold", numberText(options.maskThreshold));
+  texts.emplace_back("--time-blur-sigma", numberText(options.timeBlurSigmaFrames));
+  texts.emplace_back("--flow-blur-sigma", numberText(options.flowBlurSigmaFrames));
+  texts.emplace_back("--motion-model", word(options.motionModel));
+  if (options.borderWidthPx) {
+    texts.emplace_back("--border-width", numberText(*options.borderWidthPx));
+  }
+  texts.emplace_back("--new-material", word(options.newMaterial));
+  addSynthesis(options.synthesis, texts);
+  return texts;
+}
+
+OptionTexts pathOptions(const Options& options) {
+  OptionTexts texts = {{"--src-path", options.source.path},
+                       {"--src-mask-path", options.sourceMaskPath},
+                       {"--target-path", options.target.path},
+                       {"--out-path", options.outPath}};
+  if (options.sourceFlowPath) texts.emplace_back("--src-flow-path", *options.sourceFlowPath);
+  if (options.targetFlowPath) texts.emplace_back("--target-flow-path", *options.targetFlowPath);
+  return texts;
+}
+
+}  // namespace fluidymation

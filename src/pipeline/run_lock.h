@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "checkpoint/run_files.h"
+#include "fluidymation/io/file_lock.h"
+
+namespace fluidymation {
+
+/// Holds what only one run may: the frames of a pattern and what is kept beside them.
+class RunLock {
+ public:
+  explicit RunLock(RunFiles files) : files_(std::move(files)) {}
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+  /// Frees the lock; the hidden folder goes where nothing is in it.
+  ~RunLock();
+
+  /// Takes the lock where another run may have been before, and creates nothing elsewhere.
+  /// @throws Error naming process and host of the run that holds it.
+  void takeIfUsed();
+
+  /// Takes the lock unless it is held, creates the hidden folder, and removes what runs that were
+  /// killed have left half written. @throws Error likewise.
+  /// @return  one sentence for the user where such a run was found; else empty.
+  [[nodiscard]] std::string take();
+
+ private:
+  void lock();
+
+  RunFiles files_;
+  std::optional<FileLock> lock_;
+};
+
+}  // namespace fluidymation

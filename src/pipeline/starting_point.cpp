@@ -1,0 +1,223 @@
+#include "pipeline/starting_point.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "checkpoint/checkpoint_file.h"
+#include "checkpoint/manifest.h"
+#include "fluidymation/core/error.h"
+#include "fluidymation/core/index.h"
+#include "pipeline/run_fingerprint.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr const char* kRestartHint = "--restart discards it and begins anew";
+
+/// The manifest of the frames, where there is one; nothing where it cannot be read either.
+[[nodiscard]] std::optional<Manifest> manifestOf(const RunFiles& files) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(files.manifest(), ignored)) return std::nullopt;
+  try {
+    return readManifest(files.manifest());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// What the manifest tells of the frames, where it is one of this run.
+[[nodiscard]] FrameRecords recordsOf(const std::optional<Manifest>& manifest,
+                                     const RunIdentity& run) {
+  FrameRecords records(run.numbers.size());
+  if (!manifest || !isOf(*manifest, run.fingerprint)) return records;
+  std::map<int, Digest> digests;
+  for (const Manifest::Frame& frame : manifest->frames) digests[frame.number] = frame.digest;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    const auto found = digests.find(run.numbers[j]);
+    if (found != digests.end()) records[j] = FrameRecord{found->second, 0.0};
+  }
+  return records;
+}
+
+/// What is wrong with a frame that was painted before; nothing where it is still the same.
+[[nodiscard]] std::optional<std::string> faultOf(const FrameRecord& frame,
+                                                 const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return path + ": is missing";
+  if (digestOfFile(path) != frame.digest) return path + ": has changed";
+  return std::nullopt;
+}
+
+/// States that are there, by how many frames of the target are painted then.
+[[nodiscard]] std::map<int, std::string> statesByFrames(const RunIdentity& run) {
+  std::map<int, std::string> states;
+  for (const auto& [number, path] : run.files.states()) {
+    const auto found = std::find(run.numbers.begin(), run.numbers.end(), number);
+    if (found == run.numbers.end()) continue;
+    states[static_cast<int>(found - run.numbers.begin()) + 1] = path;
+  }
+  return states;
+}
+
+/// The newest state that a run over `wanted` can have left.
+[[nodiscard]] std::optional<std::string> newestState(const RunIdentity& run, FrameSpan wanted) {
+  std::optional<std::string> newest;
+  for (const auto& [painted, path] : statesByFrames(run)) {
+    if (painted > wanted.begin && painted <= wanted.end) newest = path;
+  }
+  return newest;
+}
+
+/// Takes over what the checkpoint knows.
+void goOnFrom(Checkpoint checkpoint, StartingPoint& start) {
+  start.span.begin = checkpoint.next();
+  start.chainBegin = checkpoint.begin;
+  start.known = std::move(checkpoint.frames);
+  start.state = std::move(checkpoint.synthesis);
+}
+
+/// @throws Error naming the file when the state or the frames before it are not what this run would
+/// have made.
+void resumeFrom(const std::string& path, FrameSpan wanted, const RunIdentity& run,
+                const std::function<void()>& beforeEach, StartingPoint& start) {
+  FoundCheckpoint found;
+  try {
+    found = readCheckpoint(path, run.fingerprint, run.limits);
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + "; " + kRestartHint);
+  }
+  if (!found.checkpoint) {
+    throw Error(path + ": is the state of another run (" + found.differs + "); " + kRestartHint);
+  }
+  Checkpoint& checkpoint = *found.checkpoint;
+  if (checkpoint.begin != 0 && checkpoint.begin != wanted.begin) {
+    throw Error(path + ": its frames start afresh with frame " +
+                std::to_string(run.numbers[at(checkpoint.begin)]) + ", those wanted with frame " +
+                std::to_string(run.numbers[at(wanted.begin)]) + "; " + kRestartHint);
+  }
+  if (at(checkpoint.next() - 1) >= run.numbers.size() ||
+      run.files.state(run.numbers[at(checkpoint.next() - 1)]) != path) {
+    throw Error(path + ": is the state of another frame; " + kRestartHint);
+  }
+  for (int j = 0; j < checkpoint.next(); ++j) {
+    if (!checkpoint.frames[at(j)]) continue;
+    beforeEach();
+    const auto fault = faultOf(*checkpoint.frames[at(j)], run.framePaths[at(j)]);
+    if (fault) throw Error(*fault + " since it was painted; --restart paints all anew");
+  }
+  goOnFrom(std::move(checkpoint), start);
+  start.statePath = path;
+  if (start.span.begin < start.span.end) {
+    start.note = "going on with frame " + std::to_string(run.numbers[at(start.span.begin)]) + ", " +
+                 std::to_string(start.span.begin) + " of " + std::to_string(run.frameCount()) +
+                 " are painted";
+  }
+}
+
+/// Begins with a frame that is not the target's first: from the state of the frame before it, where
+/// there is one.
+void beginInside(const RunIdentity& run, StartingPoint& start) {
+  const std::string before = std::to_string(run.numbers[at(start.span.begin - 1)]);
+  const std::string path = run.files.state(run.numbers[at(start.span.begin - 1)]);
+  std::string reason = "there is no state of frame " + before;
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) {
+    try {
+      FoundCheckpoint found = readCheckpoint(path, run.fingerprint, run.limits);
+      if (found.checkpoint && found.checkpoint->next() == start.span.begin &&
+          found.checkpoint->begin == 0) {
+        FrameRecords known = std::move(start.known);
+        goOnFrom(std::move(*found.checkpoint), start);
+        for (std::size_t j = at(start.span.begin); j < known.size(); ++j) start.known[j] = known[j];
+        start.note = "going on after the state of frame " + before;
+        return;
+      }
+      reason = found.checkpoint ? path + " has started afresh itself"
+                                : path + " is of another run (" + found.differs + ")";
+    } catch (const Error& error) {
+      reason = error.what();
+    }
+  }
+  start.chainBegin = start.span.begin;
+  start.note = "frame " + std::to_string(run.numbers[at(start.span.begin)]) +
+               " starts afresh and looks other than after the frames before it: " + reason;
+}
+
+/// @throws Error where a run over the whole target was stopped and may be gone on with.
+void requireDecision(const RunIdentity& run, const std::optional<Manifest>& manifest) {
+  const std::map<int, std::string> states = statesByFrames(run);
+  if (states.empty() || (manifest && manifest->complete)) return;
+  throw Error(run.files.hiddenFolder() + ": holds the state of a run that was stopped after " +
+              std::to_string(states.rbegin()->first) + " of " + std::to_string(run.frameCount()) +
+              " frames; wanted --resume to go on with it, or --restart to discard it");
+}
+
+}  // namespace
+
+RunIdentity identityOf(const Options& options, const Inputs& inputs,
+                       const std::vector<std::string>& outPaths,
+                       const std::function<void()>& beforeEach) {
+  const CheckpointLimits limits{inputs.color.scaled, inputs.color.files.count(),
+                                inputs.target.scaled, inputs.target.files.count()};
+  return {RunFiles(FramePattern(options.outPath)), inputs.target.files.numbers, outPaths,
+          fingerprintOf(options, inputs, beforeEach), limits};
+}
+
+bool isWhole(FrameSpan wanted, const RunIdentity& run) {
+  return wanted.begin == 0 && wanted.end == run.frameCount();
+}
+
+FrameSpan wantedFrames(const Options& options, const std::vector<int>& numbers) {
+  const auto count = static_cast<int>(numbers.size());
+  if (!options.continuation.render) return {0, count};
+  const auto indexOf = [&](int number) {
+    const auto found = std::find(numbers.begin(), numbers.end(), number);
+    if (found != numbers.end()) return static_cast<int>(found - numbers.begin());
+    throw UsageError("--render-frames: " + std::to_string(number) +
+                     " is no frame of --target-path; wanted frames among " +
+                     std::to_string(numbers.front()) + " to " + std::to_string(numbers.back()));
+  };
+  const int first = indexOf(options.continuation.render->first);
+  const int last = indexOf(options.continuation.render->last);
+  return {std::min(first, last), std::max(first, last) + 1};
+}
+
+StartingPoint findStart(const ContinuationOptions& options, FrameSpan wanted,
+                        const RunIdentity& run, const std::function<void()>& beforeEach) {
+  StartingPoint start;
+  start.span = wanted;
+  start.known = FrameRecords(run.numbers.size());
+  if (options.restart && isWhole(wanted, run)) return start;
+
+  const std::optional<Manifest> manifest = manifestOf(run.files);
+  if (options.resume) {
+    if (const auto state = newestState(run, wanted)) {
+      resumeFrom(*state, wanted, run, beforeEach, start);
+      return start;
+    }
+    const FrameRecords records = recordsOf(manifest, run);
+    const auto isThere = [&](int j) {
+      beforeEach();
+      return records[at(j)] && !faultOf(*records[at(j)], run.framePaths[at(j)]);
+    };
+    bool allThere = manifest && manifest->complete;
+    for (int j = wanted.begin; j < wanted.end && allThere; ++j) allThere = isThere(j);
+    if (allThere) {
+      start.span.begin = start.span.end;
+      start.note = "all frames are painted already";
+      return start;
+    }
+    start.note = "there is no state to go on from; beginning with frame " +
+                 std::to_string(run.numbers[at(wanted.begin)]);
+  } else if (isWhole(wanted, run)) {
+    requireDecision(run, manifest);
+  }
+  if (!isWhole(wanted, run)) start.known = recordsOf(manifest, run);
+  if (wanted.begin > 0) beginInside(run, start);
+  return start;
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,179 @@
+#include "checkpoint/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "checkpoint/checkpoint_file.h"
+#include "fluidymation/core/error.h"
+#include "support/temporary_folder.h"
+
+namespace fluidymation {
+namespace {
+
+using test::Bytes;
+using test::messageOf;
+
+constexpr CheckpointLimits kLimits{{24, 20}, 5, {28, 22}, 4};
+constexpr std::size_t kDigestBytes = 16;
+
+Fingerprint fingerprint() {
+  Fingerprint result;
+  result.version = "0.1.0";
+  result.options = {{"--lambda", "2"}};
+  result.inputs = {{"--src-path", {{1, digestOf("a", 1)}}}};
+  return result;
+}
+
+SynthesisState state() {
+  SynthesisState result;
+  result.frame = 2;
+  result.size = kLimits.target;
+  result.box = {4, 8, 20, 16};
+  result.nnf = NearestNeighborField(result.box.size());
+  result.owed = Image<float>(result.box.size());
+  for (std::size_t i = 0; i < result.nnf.pixelCount(); i += 3) {
+    const float angle = 0.1F * static_cast<float>(i);
+    Match& match = result.nnf.data()[i];
+    match = {0.25F * static_cast<float>(i % 90), 17.5F, static_cast<int>(i % 5),
+             Rotation{std::cos(angle), std::sin(angle)}};
+    if (i % 2 == 0) result.owed.data()[i] = 0.5F - 0.01F * static_cast<float>(i);
+  }
+  return result;
+}
+
+FrameRecords frames() {
+  return {FrameRecord{digestOf("x", 1), 0.5}, FrameRecord{digestOf("y", 1), 0.25}, {}, {}};
+}
+
+Bytes encoded() { return encode(fingerprint(), 0, frames(), state()); }
+
+/// With the digest of what the bytes are now: what somebody forges, not what a disk spoils.
+Bytes forged(Bytes bytes) {
+  const Digest digest = digestOf(bytes.data(), bytes.size() - kDigestBytes);
+  std::copy(digest.bytes.begin(), digest.bytes.end(), bytes.end() - kDigestBytes);
+  return bytes;
+}
+
+std::optional<Checkpoint> decoded(const Bytes& bytes) {
+  std::string differs;
+  return decode(bytes, fingerprint(), kLimits, differs);
+}
+
+TEST(CheckpointTest, ComesBackAsItWas) {
+  const std::optional<Checkpoint> checkpoint = decoded(encoded());
+  ASSERT_TRUE(checkpoint.has_value());
+  EXPECT_EQ(checkpoint->begin, 0);
+  EXPECT_EQ(checkpoint->next(), 2);
+  ASSERT_EQ(checkpoint->frames.size(), 4U);
+  EXPECT_TRUE(checkpoint->frames[1]->digest == digestOf("y", 1));
+  EXPECT_EQ(checkpoint->frames[1]->seconds, 0.25);
+  EXPECT_FALSE(checkpoint->frames[2].has_value());
+  const SynthesisState expected = state();
+  EXPECT_TRUE(checkpoint->synthesis.size == expected.size);
+  EXPECT_TRUE(checkpoint->synthesis.box == expected.box);
+  ASSERT_TRUE(checkpoint->synthesis.nnf.size() == expected.nnf.size());
+  EXPECT_EQ(std::memcmp(checkpoint->synthesis.nnf.data(), expected.nnf.data(),
+                        expected.nnf.pixelCount() * sizeof(Match)),
+            0);
+  EXPECT_EQ(std::memcmp(checkpoint->synthesis.owed.data(), expected.owed.data(),
+                        expected.owed.pixelCount() * sizeof(float)),
+            0);
+}
+
+TEST(CheckpointTest, IsLittleEndian) {
+  const Bytes bytes = encoded();
+  const Bytes beginning = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n', 1, 0, 0, 0, 5, 0, 0, 0, '0'};
+  EXPECT_TRUE(std::equal(beginning.begin(), beginning.end(), bytes.begin()));
+}
+
+TEST(CheckpointTest, OneChangedByteAnywhereIsNoticed) {
+  const Bytes good = encoded();
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    for (const unsigned flip : {0x01U, 0x80U, 0xFFU}) {
+      Bytes bad = good;
+      bad[i] = static_cast<std::uint8_t>(bad[i] ^ flip);
+      EXPECT_THROW((void)decoded(bad), Error) << i;
+    }
+  }
+}
+
+TEST(CheckpointTest, NoOtherLengthIsTakenForIt) {
+  const Bytes good = encoded();
+  for (std::size_t length = 0; length < good.size(); ++length) {
+    const Bytes bad(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length));
+    EXPECT_THROW((void)decoded(bad), Error) << length;
+    if (length < 64) continue;
+    EXPECT_THROW((void)decoded(forged(bad)), Error) << length;
+  }
+  Bytes longer = good;
+  longer.push_back(0);
+  EXPECT_THROW((void)decoded(longer), Error);
+  EXPECT_THROW((void)decoded(forged(longer)), Error);
+}
+
+/// Everything that the synthesis relies on.
+bool isWithinLimits(const Checkpoint& checkpoint) {
+  const SynthesisState& s = checkpoint.synthesis;
+  const bool matchesLie = std::all_of(s.nnf.begin(), s.nnf.end(), [](const Match& m) {
+    return !m.exists() ||
+           (std::abs(m.x) < 40.0F && std::abs(m.y) < 40.0F && m.frame < kLimits.exemplarFrames &&
+            std::abs(length(m.rotation.apply({1.0F, 0.0F})) - 1.0F) < 0.1F);
+  });
+  return matchesLie && s.frame >= 1 && s.frame <= 4 && s.size == kLimits.target &&
+         s.box.beginX >= 0 && s.box.endX <= 28 && s.box.beginY >= 0 && s.box.endY <= 22 &&
+         s.nnf.size() == s.box.size() && s.owed.size() == s.box.size() &&
+         std::all_of(s.owed.begin(), s.owed.end(), [](float o) { return std::isfinite(o); }) &&
+         checkpoint.frames.size() == 4;
+}
+
+TEST(CheckpointTest, AForgedOneIsRefusedOrHarmless) {
+  const Bytes good = encoded();
+  int harmless = 0;
+  for (std::size_t i = 0; i + kDigestBytes < good.size(); ++i) {
+    for (const std::uint8_t value : Bytes{0x00, 0x01, 0x7F, 0x80, 0xFF}) {
+      Bytes bad = good;
+      bad[i] = value;
+      try {
+        const std::optional<Checkpoint> checkpoint = decoded(forged(bad));
+        if (!checkpoint) continue;  // of another run
+        ++harmless;
+        ASSERT_TRUE(isWithinLimits(*checkpoint)) << i << " " << int{value};
+      } catch (const Error&) {
+      }
+    }
+  }
+  EXPECT_GT(harmless, 0);
+}
+
+TEST(CheckpointTest, OneOfAnotherRunSaysInWhatItDiffers) {
+  Fingerprint now = fingerprint();
+  now.options[0].second = "3";
+  std::string differs;
+  EXPECT_FALSE(decode(encoded(), now, kLimits, differs).has_value());
+  EXPECT_EQ(differs, "--lambda was 2, now 3");
+}
+
+TEST(CheckpointTest, OneOfAnotherFormatIsRefusedByNumber) {
+  Bytes bytes = encoded();
+  bytes[8] = 9;
+  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }), "it has format 9; wanted 1");
+}
+
+TEST(CheckpointTest, FilesThatAreNoneAreRefusedByName) {
+  const test::TemporaryFolder folder;
+  const auto complaint = [&](const Bytes& bytes) {
+    test::writeBytes(folder.file("s"), bytes);
+    return messageOf<Error>(
+        [&] { (void)readCheckpoint(folder.file("s"), fingerprint(), kLimits); });
+  };
+  EXPECT_EQ(complaint({}), folder.file("s") + ": is empty; wanted a state of fluidymation");
+  EXPECT_EQ(complaint(Bytes(100, 'x')),
+            folder.file("s") + ": it is no state of fluidymation, or damaged");
+  EXPECT_EQ(complaint(encoded()), "");
+}
+
+}  // namespace
+}  // namespace fluidymation

@@ -1,0 +1,72 @@
+#include "fluidymation/verify.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "checkpoint/manifest.h"
+#include "fluidymation/core/error.h"
+#include "support/temporary_folder.h"
+
+namespace fluidymation {
+namespace {
+
+using test::bytesOf;
+using test::TemporaryFolder;
+using Lines = std::vector<std::string>;
+
+/// Three frames and their manifest.
+class VerifyTest : public ::testing::Test {
+ protected:
+  VerifyTest() {
+    manifest_.fingerprint.version = "0.1.0";
+    manifest_.paths = {{"--out-path", "elsewhere/f%d.png"}};
+    manifest_.complete = true;
+    for (int number = 1; number <= 3; ++number) {
+      const std::string content = "frame " + std::to_string(number);
+      test::writeBytes(frame(number), bytesOf(content));
+      manifest_.frames.push_back({number, "f" + std::to_string(number) + ".png",
+                                  digestOf(content.data(), content.size())});
+    }
+  }
+
+  [[nodiscard]] std::string frame(int number) const {
+    return folder_.file("f" + std::to_string(number) + ".png");
+  }
+  [[nodiscard]] Lines faults() const {
+    test::writeBytes(folder_.file("m.json"), encode(manifest_));
+    return verify(folder_.file("m.json")).faults;
+  }
+
+  TemporaryFolder folder_;
+  Manifest manifest_;
+};
+
+TEST_F(VerifyTest, WhatIsAsItWasPaintedHasNoFault) {
+  EXPECT_EQ(faults(), Lines{});
+  EXPECT_EQ(verify(folder_.file("m.json")).frames, 3);
+}
+
+TEST_F(VerifyTest, EachKindOfDamageIsNamed) {
+  std::filesystem::remove(frame(1));
+  test::writeBytes(frame(2), bytesOf("frame x"));
+  test::writeBytes(frame(7), bytesOf("frame 7"));
+  test::writeBytes(folder_.file("note.txt"), bytesOf("not a frame"));
+  manifest_.complete = false;
+  EXPECT_EQ(faults(), (Lines{frame(1) + ": missing", frame(2) + ": changed",
+                             frame(7) + ": extra, not in the manifest",
+                             folder_.file("m.json") + ": not all frames of the shot are painted"}));
+}
+
+TEST_F(VerifyTest, AFolderInAFramesPlaceIsAFault) {
+  std::filesystem::remove(frame(3));
+  std::filesystem::create_directory(frame(3));
+  EXPECT_EQ(faults(), Lines{frame(3) + ": cannot be read (Is a directory)"});
+}
+
+TEST_F(VerifyTest, AMissingManifestIsAnError) {
+  EXPECT_THROW((void)verify(folder_.file("none.json")), Error);
+}
+
+}  // namespace
+}  // namespace fluidymation
