@@ -108,6 +108,12 @@ enum class FinestLevel {
   kSearched,  ///< likewise, and the sweep searches at random too: calmest, and half as fast
 };
 
+/// Which frames a frame is to be coherent with; §3.7, P§5.
+enum class TemporalCoherence {
+  kForward,        ///< the thesis': with the one before
+  kBidirectional,  ///< with the one after, too: calmer where shapes shrink, at twice the time
+};
+
 /// Where the search spends its effort; §2.2, §4.3.
 enum class SearchEffort {
   kEverywhere,      ///< the thesis': every sweep tries two neighbours' matches and random ones
@@ -149,6 +155,7 @@ struct SynthesisOptions {
   std::vector<int> patchmatchIterations = {6, 4};
   std::vector<int> optIterations = {4, 3, 2};
   SearchEffort searchEffort = SearchEffort::kWhereItChanges;
+  TemporalCoherence temporalCoherence = TemporalCoherence::kForward;
   std::uint64_t seed = 0;
 };
 

@@ -345,6 +345,14 @@ void addSynthesis(Table& table) {
   table.real("--tex-weight", kSynthesis, "weight of the texture: colours alike in whole windows",
              "", ranges::kWeights, "thesis §3.7: 1",
              [](CommandLine& c) -> float& { return c.options.synthesis.texWeight; });
+  table.word<TemporalCoherence>(
+      "--temporal-coherence", kSynthesis,
+      "forward: with the frame before; bidirectional: with the one\n"
+      "after, too, calmer where shapes shrink, in twice the time",
+      {{"forward", TemporalCoherence::kForward},
+       {"bidirectional", TemporalCoherence::kBidirectional}},
+      "thesis §3.7: forward; paper §5",
+      [](CommandLine& c) -> TemporalCoherence& { return c.options.synthesis.temporalCoherence; });
   table.word<bool>("--carry-motion", kSynthesis,
                    "on: movement too small for a step of the film is kept for\n"
                    "later; off: slow animations freeze",

@@ -98,12 +98,15 @@ void runFrames(FrameSpan span, const FrameStages& stages, const ThreadShares& th
   WritingBehind writing(stages, events, threads.write);
   GuidesAhead guides(span, stages, threads.guide);
   try {
+    int finished = span.begin;
     for (int frame = span.begin; frame < span.end; ++frame) {
       events.begins(frame);
-      PaintedFrame painted = stages.paint(frame, guides.take());
-      writing.finish();
-      events.painted(frame);
-      writing.begin(frame, std::move(painted));
+      for (PaintedFrame& painted : stages.paint(frame, guides.take())) {
+        writing.finish();
+        events.painted(finished);
+        writing.begin(finished, std::move(painted));
+        ++finished;
+      }
     }
   } catch (...) {
     writing.finish();

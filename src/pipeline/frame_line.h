@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
@@ -30,7 +31,9 @@ struct FrameSpan {
 /// What is done with each frame of a target. Each stage gets the frames in order, one at a time.
 struct FrameStages {
   std::function<GuideFrame(int frame)> guide;
-  std::function<PaintedFrame(int frame, GuideFrame guides)> paint;
+  /// @return  the frames that are finished by this one, in order: all that are not yet, or none;
+  ///   after the last one, none is left.
+  std::function<std::vector<PaintedFrame>(int frame, GuideFrame guides)> paint;
   std::function<void(int frame, const PaintedFrame& painted)> write;
 };
 
@@ -38,7 +41,7 @@ struct FrameStages {
 struct FrameEvents {
   /// Before a frame is painted; may throw to stop.
   std::function<void(int frame)> begins;
-  /// The frame is painted, all before it are written and told of.
+  /// The frame is finished, all before it are written and told of.
   std::function<void(int frame)> painted;
   /// The frame is written, `seconds` after the one before it was, or after painting began.
   std::function<void(int frame, double seconds)> written;

@@ -121,6 +121,10 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   }
   texts.emplace_back("--tex-weight", numberText(synthesis.texWeight));
   texts.emplace_back("--carry-motion", synthesis.carriesMotion ? "on" : "off");
+  texts.emplace_back(
+      "--temporal-coherence",
+      synthesis.temporalCoherence == TemporalCoherence::kForward ? "forward" : "bidirectional");
+  texts.emplace_back("--coherence-weight", numberText(synthesis.coherenceWeight));
   texts.emplace_back("--lambda", numberText(synthesis.lambda));
   texts.emplace_back("--occ-radius", std::to_string(synthesis.occRadiusFrames));
   texts.emplace_back("--patchmatch-alpha", numberText(synthesis.patchmatchAlpha));

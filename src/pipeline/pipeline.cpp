@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "pipeline/automatic_widths.h"
 #include "pipeline/flow_note.h"
 #include "pipeline/frame_line.h"
+#include "pipeline/frame_painter.h"
 #include "pipeline/frame_writer.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
@@ -171,14 +173,6 @@ void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
   }
 }
 
-/// What is written of a frame that is not dumped.
-GuideFrame outlineOnly(GuideFrame guides) {
-  GuideFrame outline;
-  outline.mask = std::move(guides.mask);
-  outline.coverage = std::move(guides.coverage);
-  return outline;
-}
-
 }  // namespace
 
 void stylize(const Options& given, const Observer& observer) {
@@ -248,15 +242,13 @@ void stylize(const Options& given, const Observer& observer) {
   const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
   stages.guide = guideStage(guides, withAges);
-  std::optional<std::string> note;  // on the frame painted last
+  FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span.end, dumps);
+  std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
   stages.paint = [&](int j, GuideFrame frame) {
-    note = flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion);
-    PaintedFrame painted;
-    painted.picture = synthesizer.paint(frame);
-    painted.guides = dumps ? std::move(frame) : outlineOnly(std::move(frame));
-    if (dumps) painted.nnf = synthesizer.nnf();
-    painted.state = std::make_shared<const SynthesisState>(synthesizer.state());
-    return painted;
+    notes.push_back(
+        flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion)
+            .value_or(""));
+    return painter.paint(j, std::move(frame));
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
     const Digest digest = writer.write(outPaths[at(j)], painted.picture, painted.guides);
@@ -270,12 +262,11 @@ void stylize(const Options& given, const Observer& observer) {
   };
 
   FrameEvents events;
-  events.begins = [&](int j) {
-    countWritten(j);
-    stopping.check();
-  };
-  events.painted = [&](int /*frame*/) {
-    if (note && observer.note) observer.note(*note);
+  events.begins = [&](int /*frame*/) { stopping.check(); };
+  events.painted = [&](int j) {
+    tell(observer, notes.front());
+    notes.pop_front();
+    countWritten(j + 1);
   };
   events.written = [&](int j, double seconds) {
     if (!observer.frameDone) return;

@@ -16,6 +16,7 @@ void applyThesisPreset(Options& options) {
   synthesis.dirWeight = 0.0F;
   synthesis.prevWeight = 1.0F;
   synthesis.coherenceWeight = 0.0F;
+  synthesis.temporalCoherence = TemporalCoherence::kForward;
   synthesis.lambda = 2.0F;
   synthesis.occRadiusFrames = 10;
   synthesis.patchmatchAlpha = 0.75F;

@@ -11,42 +11,17 @@
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/temporal.h"
 #include "fluidymation/synthesis/vote.h"
+#include "synthesis/random_passes.h"
+#include "synthesis/timed_stage.h"
 
 namespace fluidymation {
 namespace {
-
-// Numbers of the random passes besides the sweeps of the search, which count up from 0.
-constexpr int kRandomFieldPass = -1;
-constexpr int kRepairPass = -2;
 
 /// Value of an iteration list on a level: coarsest first, the last one repeats (§4.5).
 int valueAt(const std::vector<int>& list, int level, int coarsest) {
   const auto fromCoarsest = static_cast<std::size_t>(coarsest - level);
   return list[std::min(fromCoarsest, list.size() - 1)];
 }
-
-bool hasAnyMatch(const NearestNeighborField& nnf) {
-  return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
-}
-
-/// Tells an observer when a stage begins and ends.
-class StageScope {
- public:
-  StageScope(StageObserver* observer, Stage stage, int level)
-      : observer_(observer), stage_(stage), level_(level) {
-    if (observer_ != nullptr) observer_->begins(stage_, level_);
-  }
-  StageScope(const StageScope&) = delete;
-  StageScope& operator=(const StageScope&) = delete;
-  ~StageScope() {
-    if (observer_ != nullptr) observer_->ends(stage_, level_);
-  }
-
- private:
-  StageObserver* observer_;
-  Stage stage_;
-  int level_;
-};
 
 /// Every guide of a frame within a box.
 GuideFrame croppedGuides(const GuideFrame& frame, const Box& box) {
@@ -110,12 +85,6 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
   }
 }
 
-template <typename Body>
-auto Synthesizer::timed(Stage stage, int level, const Body& body) const {
-  const StageScope scope(observer_, stage, level);
-  return body();
-}
-
 Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
   const Size size = frame.mask.size();
   const Mask painted = paintedPixels(frame);
@@ -152,11 +121,32 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
                                 : optimizedField(l, nnf, shifted, fresh, target);
   }
   nnf_ = std::move(nnf);
-  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame); });
+  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, nnf_); });
 }
 
-Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides) const {
-  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf_, options_.paintedVote).color;
+Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides,
+                                       const NearestNeighborField& nnf) const {
+  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote).color;
+}
+
+Painting Synthesizer::painting() const {
+  Painting last;
+  last.state = state();
+  last.guides = croppedGuides(guides_, whole(box_.size()));
+  last.picture = picture_.clone();
+  last.held = held_;
+  return last;
+}
+
+SearchProblem Synthesizer::problemOf(const Work& work, int level, const TargetLevel& target) const {
+  return {exemplar_.level(level), expectedUse_[static_cast<std::size_t>(level - finestOptimized())],
+          target, options_,
+          Place{work.frame, level, {work.box.beginX >> level, work.box.beginY >> level}}};
+}
+
+DistanceWeights Synthesizer::weights() const {
+  return {options_.texWeight, options_.edgeGain * options_.distWeight, options_.flowWeight,
+          options_.prevWeight, options_.dirWeight};
 }
 
 SynthesisState Synthesizer::state() const {
@@ -175,7 +165,8 @@ void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
   nnf_ = std::move(state.nnf);
   owed_ = std::move(state.owed);
   guides_ = croppedGuides(last, box_);
-  picture_ = countInside(guides_.mask) > 0 ? paintedPicture(guides_) : Image<Lab>(box_.size());
+  picture_ =
+      countInside(guides_.mask) > 0 ? paintedPicture(guides_, nnf_) : Image<Lab>(box_.size());
 }
 
 std::vector<TargetLevel> Synthesizer::levelsOf(const GuideFrame& frame) const {
@@ -197,7 +188,7 @@ NearestNeighborField Synthesizer::upscaled(const NearestNeighborField& coarser, 
   return timed(Stage::kUpscale, level, [&] { return upscale(coarser, target.segment); });
 }
 
-LevelIterations Synthesizer::iterations(int level) const {
+LevelIterations Synthesizer::iterations(int level, int frame) const {
   const int coarsest = exemplar_.levelCount() - 1;
   if (level == 0 && coarsest > 0) {
     // One sweep, or none: the field is almost settled by then, and the finest level has three times
@@ -205,7 +196,7 @@ LevelIterations Synthesizer::iterations(int level) const {
     // direction is preferred.
     const bool searched = options_.finestLevel == FinestLevel::kSearched;
     const int sweeps = std::min(valueAt(options_.optIterations, level, coarsest), 1);
-    return {sweeps, 1, searched ? Candidates::kAll : Candidates::kNeighbors, frame_ % 2};
+    return {sweeps, 1, searched ? Candidates::kAll : Candidates::kNeighbors, frame % 2};
   }
   return {valueAt(options_.optIterations, level, coarsest),
           valueAt(options_.patchmatchIterations, level, coarsest)};
@@ -215,13 +206,10 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                                                  const NearestNeighborField& shifted, bool fresh,
                                                  TargetLevel& target) const {
   const ExemplarLevel& exemplar = exemplar_.level(level);
-  const SearchProblem problem{
-      exemplar, expectedUse_[static_cast<std::size_t>(level - finestOptimized())], target, options_,
-      Place{frame_, level, {box_.beginX >> level, box_.beginY >> level}}};
+  const SearchProblem problem = problemOf({frame_, size_, box_}, level, target);
   const int coarsest = exemplar_.levelCount() - 1;
-  const LevelIterations count = iterations(level);
-  const DistanceWeights weights{options_.texWeight, options_.edgeGain * options_.distWeight,
-                                options_.flowWeight, options_.prevWeight, options_.dirWeight};
+  const LevelIterations count = iterations(level, frame_);
+  const DistanceWeights weights = this->weights();
   int pass = count.firstPass;
   Mask changing;
   const auto search = [&](const DistanceWeights& w, NearestNeighborField& nnf) {

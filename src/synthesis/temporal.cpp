@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
@@ -62,30 +63,34 @@ float moveInTime(const Exemplar& exemplar, float amountPx, Match& match) {
   return backwards ? -rest : rest;
 }
 
-/// A frame further, while the place stays inside the mask and the film lasts.
-void moveByOneFrame(const ExemplarLevel& exemplar, Match& match) {
-  const int next = match.frame + 1;
-  if (next < exemplar.frameCount() &&
+/// A frame further (+1) or back (-1), while the place stays inside the mask and the film lasts.
+void moveByOneFrame(const ExemplarLevel& exemplar, int step, Match& match) {
+  const int next = match.frame + step;
+  if (next >= 0 && next < exemplar.frameCount() &&
       exemplar.segment(match.nearestX(), match.nearestY(), next) != Segment::kOutside) {
     match.frame = next;
   }
 }
 
-}  // namespace
+enum class TimeDirection { kForwards, kBackwards };
 
-NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
-                           const NearestNeighborField& previous, Image<float>* owed) {
+/// @param mask  of the frame that the matches move to.
+/// @param step  guides of the later one of the two frames.
+NearestNeighborField shifted(const Exemplar& exemplar, const Mask& mask, const GuideFrame& step,
+                             const NearestNeighborField& previous, TimeDirection time,
+                             Image<float>* owed) {
+  const bool backwards = time == TimeDirection::kBackwards;
   const ExemplarLevel& finest = exemplar.level(0);
-  NearestNeighborField shifted(previous.size());
+  NearestNeighborField moved(previous.size());
   const Image<float> before =
       owed == nullptr || owed->empty() ? Image<float>(previous.size()) : owed->clone();
   if (owed != nullptr) *owed = Image<float>(previous.size());
   forEachRow(previous.height(), [&](int y) {
     for (int x = 0; x < previous.width(); ++x) {
       const Match& match = previous(x, y);
-      if (target.mask(x, y) == 0 || !match.exists()) continue;
-      Match& moved = shifted(x, y);
-      moved = match;
+      if (mask(x, y) == 0 || !match.exists()) continue;
+      Match& movedMatch = moved(x, y);
+      movedMatch = match;
       const int sx = match.nearestX();
       const int sy = match.nearestY();
       // A match that was only upscaled may lie just outside the exemplar's mask: it has no motion.
@@ -94,23 +99,46 @@ NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
         continue;
       }
       if (finest.comparesAges()) {
-        if (target.ageGrows) moveByOneFrame(finest, moved);
+        if (step.ageGrows) moveByOneFrame(finest, backwards ? -1 : +1, movedMatch);
         continue;
       }
-      const float amountPx = length(target.flow(x, y));
+      const float amountPx = length(step.flow(x, y));
       const bool opposite =
-          isOpposite(target.direction(x, y), finest.direction(sx, sy, match.frame), match.rotation);
-      const float prescribed = opposite ? -amountPx : amountPx;
+          isOpposite(step.direction(x, y), finest.direction(sx, sy, match.frame), match.rotation);
+      const float prescribed = opposite != backwards ? -amountPx : amountPx;
       if (owed == nullptr) {
-        moveInTime(exemplar, prescribed, moved);
+        moveInTime(exemplar, prescribed, movedMatch);
       } else if (amountPx == 0.0F) {
         (*owed)(x, y) = before(x, y);
       } else {
-        (*owed)(x, y) = moveInTime(exemplar, before(x, y) + prescribed, moved);
+        (*owed)(x, y) = moveInTime(exemplar, before(x, y) + prescribed, movedMatch);
       }
     }
   });
-  return shifted;
+  return moved;
+}
+
+/// The mean of two colours by their weights.
+FixedLab mixed(const FixedLab& a, float weightOfA, const FixedLab& b, float weightOfB) {
+  const float shareOfB = weightOfB / (weightOfA + weightOfB);
+  const auto mix = [shareOfB](std::int16_t u, std::int16_t v) {
+    const auto from = static_cast<float>(u);
+    const auto to = static_cast<float>(v);
+    return static_cast<std::int16_t>(floorToInt(from + shareOfB * (to - from) + 0.5F));
+  };
+  return {mix(a.l, b.l), mix(a.a, b.a), mix(a.b, b.b), 1};
+}
+
+}  // namespace
+
+NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
+                           const NearestNeighborField& previous, Image<float>* owed) {
+  return shifted(exemplar, target.mask, target, previous, TimeDirection::kForwards, owed);
+}
+
+NearestNeighborField shiftBack(const Exemplar& exemplar, const Mask& mask, const GuideFrame& next,
+                               const NearestNeighborField& matches, Image<float>* owed) {
+  return shifted(exemplar, mask, next, matches, TimeDirection::kBackwards, owed);
 }
 
 float smoothstep(float x, float l, float u) {
@@ -148,6 +176,28 @@ void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
           modulationDifference(target.modulationDistancePx(x, y),
                                exemplar.modulationDistancePx(sx, sy, match.frame), borderWidthPx);
       target.modulation(x, y) = smoothstep(differencePx, bounds.upper, bounds.lower);
+    }
+  });
+}
+
+void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
+                      const ModulationBoundsPx& bounds, const NearestNeighborField& before,
+                      const NearestNeighborField& after, TargetLevel& target) {
+  // Where neither counts at the pixel itself, its neighbours' windows still read both alike.
+  constexpr float kLeastWeight = 1.0F / 1024.0F;
+  setPrevious(exemplar, borderWidthPx, bounds, before, target);
+  const Image<FixedLab> picture = std::move(target.previous);
+  const Image<float> modulation = target.modulation.clone();
+  setPrevious(exemplar, borderWidthPx, bounds, after, target);
+  forEachRow(picture.height(), [&](int y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      if (!picture(x, y).exists()) continue;
+      FixedLab& color = target.previous(x, y);
+      float& weight = target.modulation(x, y);
+      color = color.exists() ? mixed(picture(x, y), modulation(x, y) + kLeastWeight, color,
+                                     weight + kLeastWeight)
+                             : picture(x, y);
+      weight = std::max(weight, modulation(x, y));
     }
   });
 }

@@ -48,6 +48,10 @@ const std::vector<Reaching>& reachingOptions() {
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
+      {"--temporal-coherence", "bidirectional",
+       [](C c) {
+         return c.options.synthesis.temporalCoherence == TemporalCoherence::kBidirectional;
+       }},
       {"--coherence-weight", "2.5",
        [](C c) { return c.options.synthesis.coherenceWeight == 2.5F; }},
       {"--lambda", "1.5", [](C c) { return c.options.synthesis.lambda == 1.5F; }},

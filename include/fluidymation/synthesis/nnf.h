@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "fluidymation/core/image.h"
@@ -59,6 +60,10 @@ struct Match {
 
 /// One match per pixel of the target; pixels outside the mask have none.
 using NearestNeighborField = Image<Match>;
+
+[[nodiscard]] inline bool hasAnyMatch(const NearestNeighborField& nnf) {
+  return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
+}
 
 /// Identifies one run of a random procedure within a level of a frame.
 struct Place {

@@ -9,6 +9,7 @@
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/occurrence.h"
+#include "fluidymation/synthesis/painting.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/stages.h"
 #include "fluidymation/synthesis/synthesis_state.h"
@@ -43,6 +44,17 @@ class Synthesizer {
   /// Full-resolution matches of the frame painted last; the size of its frame.
   [[nodiscard]] NearestNeighborField nnf() const { return recropped(nnf_, box_, whole(size_)); }
 
+  /// All of the frame painted last.
+  [[nodiscard]] Painting painting() const;
+
+  /// Paints a frame once more, now that the one after it is known too: what the next frame's
+  /// matches say of this one counts as much as what the previous one's do (P§5, in the spirit of
+  /// Benard et al., Stylizing Animation by Example, 2013). Does nothing where the frames have no
+  /// pixel in common. Frames that are painted later do not notice.
+  /// @param before   the frame before; one without matches where there is none.
+  /// @param current  painted before; gets new matches and a new picture.
+  void revise(const Painting& before, const Painting& after, Painting& current) const;
+
   /// Whether the frame painted last is the one before once more.
   [[nodiscard]] bool held() const { return held_; }
 
@@ -60,8 +72,16 @@ class Synthesizer {
  private:
   [[nodiscard]] static Box whole(Size size) { return {0, 0, size.width, size.height}; }
 
-  /// The picture that the matches of the part `guides` of a frame give.
-  [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides) const;
+  /// Which part of which frame is worked on.
+  struct Work {
+    int frame = 0;  ///< of the target, from 0
+    Size size;      ///< of the whole frame
+    Box box;
+  };
+
+  /// The picture that matches give the part `guides` of a frame.
+  [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides,
+                                          const NearestNeighborField& nnf) const;
 
   /// Paints what of the frame lies in `box_`; @return  the picture of that part.
   [[nodiscard]] Image<Lab> paintBox(const GuideFrame& frame);
@@ -82,7 +102,21 @@ class Synthesizer {
   [[nodiscard]] int finestOptimized() const {
     return options_.finestLevel == FinestLevel::kUpscaled && exemplar_.levelCount() > 1 ? 1 : 0;
   }
-  [[nodiscard]] LevelIterations iterations(int level) const;
+  [[nodiscard]] LevelIterations iterations(int level, int frame) const;
+
+  /// One level of a frame that is painted once more, see `revise`.
+  /// @param own  the frame's matches as they were, full resolution; `before` and `after`: those of
+  ///   its neighbours, shifted to it.
+  [[nodiscard]] NearestNeighborField revisedField(const Work& work, int level,
+                                                  const NearestNeighborField& coarser,
+                                                  const NearestNeighborField& own,
+                                                  const NearestNeighborField& before,
+                                                  const NearestNeighborField& after,
+                                                  TargetLevel& target) const;
+  [[nodiscard]] SearchProblem problemOf(const Work& work, int level,
+                                        const TargetLevel& target) const;
+
+  [[nodiscard]] DistanceWeights weights() const;
 
   /// Runs `body`, a stage on a level, and tells the observer of it.
   template <typename Body>

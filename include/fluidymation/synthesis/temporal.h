@@ -33,6 +33,18 @@ namespace fluidymation {
                                          const NearestNeighborField& previous,
                                          Image<float>* owed = nullptr);
 
+/// The same step made backwards: the next frame's matches as they lay in the frame before it. What
+/// moved forwards along the exemplar's time moves backwards, and the reverse.
+/// @param mask  of the frame that the matches are moved to.
+/// @param next  guides of the frame that `matches` belong to; of them only the flow, its direction
+///   and whether ages grow are read.
+/// @param owed  if given: of the next frame; what the frame before it would have owed afterwards.
+/// @return  matches for pixels of `mask` that have one in the next frame.
+[[nodiscard]] NearestNeighborField shiftBack(const Exemplar& exemplar, const Mask& mask,
+                                             const GuideFrame& next,
+                                             const NearestNeighborField& matches,
+                                             Image<float>* owed = nullptr);
+
 /// 0 for v <= 0, 1 for v >= 1, 3v^2 - 2v^3 between, with v = (x - l) / (u - l); l > u falls.
 [[nodiscard]] float smoothstep(float x, float l, float u);
 
@@ -53,5 +65,13 @@ struct ModulationBoundsPx {
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
                  const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
                  TargetLevel& target);
+
+/// The same for a frame between two that are painted, by the matches of either shifted to it. Two
+/// temporal terms, m_b |S - T^before|^2 + m_a |S - T^after|^2, are one for the mean of both
+/// pictures weighted by their modulations, but for a constant; it gets the larger of the two
+/// modulations, so that a frame between two weighs no more than one after another.
+void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
+                      const ModulationBoundsPx& bounds, const NearestNeighborField& before,
+                      const NearestNeighborField& after, TargetLevel& target);
 
 }  // namespace fluidymation

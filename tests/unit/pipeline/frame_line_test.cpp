@@ -48,8 +48,8 @@ class Line {
       EXPECT_EQ(std::this_thread::get_id(), caller_);
       EXPECT_EQ(guides.diffusion.cycles, frame);
       onPaint(frame);
-      PaintedFrame painted;
-      painted.guides = std::move(guides);
+      std::vector<PaintedFrame> painted(1);
+      painted.front().guides = std::move(guides);
       return painted;
     };
     stages.write = [this](int frame, const PaintedFrame& painted) {

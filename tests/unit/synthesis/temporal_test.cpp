@@ -231,6 +231,85 @@ TEST_F(OwedMotion, IsAtMostHalfOfTheStepThatPassesIt) {
   EXPECT_GT(mostPx, 0.25F * longestPx);
 }
 
+TEST_F(Shift, BackwardsUndoesForwards) {
+  const Exemplar exemplar = movingExemplar({0.0F, 1.0F, 0.5F, 2.0F, 1.0F, 0.7F, 1.0F, 0.4F, 1.0F,
+                                            1.0F, 0.6F, 1.0F, 1.5F, 1.0F, 1.0F, 1.0F});
+  const Size one{1, 1};
+  for (const float speedPx : {0.1F, 0.3F, 0.9F, 1.7F}) {
+    for (const float turn : {1.0F, -1.0F}) {  // with the exemplar's flow, and against it
+      SCOPED_TRACE(turn * speedPx);
+      GuideFrame step = movingRight(one, turn * speedPx);
+      step.direction(0, 0) = {turn, 0.0F};
+      const NearestNeighborField first(one, Match{4.0F, 4.0F, 7, Rotation{}});
+      Image<float> owed;
+      const NearestNeighborField moved = shift(exemplar, step, first, &owed);
+      const NearestNeighborField back = shiftBack(exemplar, step.mask, step, moved, &owed);
+      EXPECT_EQ(back(0, 0).frame, 7);
+      EXPECT_NEAR(owed(0, 0), 0.0F, 1e-5F);
+    }
+  }
+}
+
+TEST_F(Shift, BackwardsToPixelsOfTheEarlierMaskOnly) {
+  const Size two{2, 1};
+  GuideFrame next = movingRight(two, 1.0F);
+  Mask mask(two);
+  mask(1, 0) = 1;
+  const NearestNeighborField matches(two, Match{28.0F, 20.0F, 4, Rotation{}});
+  const NearestNeighborField shifted = shiftBack(exemplar_, mask, next, matches);
+  EXPECT_FALSE(shifted(0, 0).exists());
+  EXPECT_TRUE(shifted(1, 0).exists());
+  EXPECT_LT(shifted(1, 0).frame, 4);
+}
+
+/// One frame of a disc, and matches within it.
+class BothNeighbors : public ::testing::Test {
+ protected:
+  [[nodiscard]] TargetLevel between(const Match& before, const Match& after) const {
+    TargetLevel target(finestLevel(disc_.guides(1)), kBorderPx);
+    NearestNeighborField first(disc_.size);
+    NearestNeighborField second(disc_.size);
+    first(24, 20) = before;
+    second(24, 20) = after;
+    setBothNeighbors(exemplar_.level(0), kBorderPx, {5.0F, 1.0F}, first, second, target);
+    return target;
+  }
+
+  static constexpr float kBorderPx = 10.0F;
+  test::GrowingDisc disc_{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 2};
+  Exemplar exemplar_ = test::discExemplar(disc_, 0, kBorderPx, 3);
+  Match deep_{26.0F, 20.0F, 0, Rotation{}};
+  Match alsoDeep_{20.0F, 22.0F, 1, Rotation{}};
+  Match nearEdge_{38.0F, 20.0F, 1, Rotation{}};
+};
+
+TEST_F(BothNeighbors, OfOneAloneIsWhatThatOneSays) {
+  TargetLevel alone(finestLevel(disc_.guides(1)), kBorderPx);
+  NearestNeighborField field(disc_.size);
+  field(24, 20) = deep_;
+  setPrevious(exemplar_.level(0), kBorderPx, {5.0F, 1.0F}, field, alone);
+  for (const TargetLevel& target : {between(deep_, Match{}), between(Match{}, deep_)}) {
+    EXPECT_EQ(target.previous(24, 20).l, alone.previous(24, 20).l);
+    EXPECT_EQ(target.modulation(24, 20), alone.modulation(24, 20));
+  }
+}
+
+TEST_F(BothNeighbors, MeetHalfWayWhereBothCount) {
+  const float before = between(deep_, Match{}).previous(24, 20).l;
+  const float after = between(Match{}, alsoDeep_).previous(24, 20).l;
+  ASSERT_NE(before, after);
+  const TargetLevel target = between(deep_, alsoDeep_);
+  EXPECT_NEAR(target.previous(24, 20).l, 0.5F * (before + after), 1.0F);
+  EXPECT_EQ(target.modulation(24, 20), 1.0F);
+}
+
+TEST_F(BothNeighbors, TheOneThatDoesNotCountIsNotHeard) {
+  ASSERT_EQ(between(nearEdge_, Match{}).modulation(24, 20), 0.0F);
+  const TargetLevel target = between(nearEdge_, deep_);
+  EXPECT_NEAR(target.previous(24, 20).l, between(Match{}, deep_).previous(24, 20).l, 5.0F);
+  EXPECT_EQ(target.modulation(24, 20), 1.0F);
+}
+
 TEST(SetPrevious, ModulationComparesClampedDistances) {
   const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
   constexpr float kBorderWidthPx = 10.0F;

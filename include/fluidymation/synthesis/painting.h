@@ -1,0 +1,19 @@
+#pragma once
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "fluidymation/guides/guide_frame.h"
+#include "fluidymation/synthesis/synthesis_state.h"
+
+namespace fluidymation {
+
+/// A painted frame with what the frames before and after it need of it, as far as that lies in
+/// `state.box`, a box round its mask.
+struct Painting {
+  SynthesisState state;  ///< after the frame; its matches
+  GuideFrame guides;
+  Image<Lab> picture;
+  bool held = false;  ///< whether it is the frame before once more
+};
+
+}  // namespace fluidymation

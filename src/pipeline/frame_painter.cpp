@@ -1,0 +1,70 @@
+#include "pipeline/frame_painter.h"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "fluidymation/core/box.h"
+
+namespace fluidymation {
+namespace {
+
+/// What is written of a frame that is not dumped.
+GuideFrame outlineOnly(GuideFrame guides) {
+  GuideFrame outline;
+  outline.mask = std::move(guides.mask);
+  outline.coverage = std::move(guides.coverage);
+  return outline;
+}
+
+/// The whole frame of a painting, without what is dumped of it.
+PaintedFrame wholeFrame(const Painting& painting) {
+  const Size size = painting.state.size;
+  const auto whole = [&](const auto& part) {
+    return recropped(part, painting.state.box, {0, 0, size.width, size.height});
+  };
+  PaintedFrame frame;
+  frame.picture = whole(painting.picture);
+  frame.guides.mask = whole(painting.guides.mask);
+  if (!painting.guides.coverage.empty()) frame.guides.coverage = whole(painting.guides.coverage);
+  frame.nnf = whole(painting.state.nnf);
+  return frame;
+}
+
+}  // namespace
+
+std::vector<PaintedFrame> FramePainter::paint(int frame, GuideFrame guides) {
+  if (coherence_ == TemporalCoherence::kBidirectional) {
+    return paintBidirectionally(std::move(guides), frame + 1 == end_);
+  }
+  std::vector<PaintedFrame> painted;
+  painted.push_back(paintForward(std::move(guides)));
+  return painted;
+}
+
+PaintedFrame FramePainter::paintForward(GuideFrame guides) {
+  PaintedFrame painted;
+  painted.picture = synthesizer_.paint(guides);
+  painted.guides = dumps_ ? std::move(guides) : outlineOnly(std::move(guides));
+  if (dumps_) painted.nnf = synthesizer_.nnf();
+  painted.state = std::make_shared<const SynthesisState>(synthesizer_.state());
+  return painted;
+}
+
+std::vector<PaintedFrame> FramePainter::paintBidirectionally(GuideFrame guides, bool endsHere) {
+  std::vector<PaintedFrame> finished;
+  std::vector<Painting> window = bidirectional_.paint(guides, endsHere);
+  if (dumps_) waiting_.push_back(std::move(guides));
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    finished.push_back(wholeFrame(window[i]));
+    if (dumps_) finished.back().guides = std::move(waiting_[i]);
+    window[i] = {};
+  }
+  if (finished.empty()) return finished;
+  waiting_.clear();
+  // A run can go on after the window alone: what comes before it is painted already
+  finished.back().state = std::make_shared<const SynthesisState>(synthesizer_.state());
+  return finished;
+}
+
+}  // namespace fluidymation

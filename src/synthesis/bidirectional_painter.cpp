@@ -1,0 +1,36 @@
+#include "fluidymation/synthesis/bidirectional_painter.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace fluidymation {
+std::vector<Painting> BidirectionalPainter::paint(const GuideFrame& frame, bool endsHere) {
+  if (window_.empty()) before_ = synthesizer_.painting();
+  (void)synthesizer_.paint(frame);
+  window_.push_back(synthesizer_.painting());
+  const bool isFull = window_.back().state.frame % kWindowFrames == 0;
+  if (!isFull && !endsHere) return {};
+  revise();
+  return std::exchange(window_, {});
+}
+
+void BidirectionalPainter::revise() {
+  // A hold is one frame shown several times: it is revised as its first one, by the frame after its
+  // last one, and not at all where it goes beyond the window.
+  std::size_t after = window_.size() - 1;
+  while (after > 0 && window_[after].held) --after;
+  while (after > 0) {
+    std::size_t first = after - 1;
+    while (first > 0 && window_[first].held) --first;
+    if (window_[first].held) return;
+    const Painting& before = first > 0 ? window_[first - 1] : before_;
+    synthesizer_.revise(before, window_[after], window_[first]);
+    for (std::size_t held = first + 1; held < after; ++held) {
+      window_[held].picture = window_[first].picture.clone();
+      window_[held].state.nnf = window_[first].state.nnf.clone();
+    }
+    after = first;
+  }
+}
+
+}  // namespace fluidymation

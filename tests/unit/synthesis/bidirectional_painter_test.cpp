@@ -1,0 +1,146 @@
+#include "fluidymation/synthesis/bidirectional_painter.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "support/synthetic_scene.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr float kBorderWidthPx = 5.0F;
+
+/// A disc that shrinks in every frame, painted in an exemplar that grows.
+class BidirectionalPainterTest : public ::testing::Test {
+ protected:
+  /// Frame numbers of the disc, one for each frame of the target: what stays the same is a hold.
+  [[nodiscard]] std::vector<Painting> paint(const std::vector<int>& discFrames) const {
+    Synthesizer synthesizer(exemplar_, options_);
+    BidirectionalPainter painter(synthesizer);
+    return paint(painter, discFrames, 0);
+  }
+
+  [[nodiscard]] std::vector<Painting> paint(BidirectionalPainter& painter,
+                                            const std::vector<int>& discFrames,
+                                            std::size_t first) const {
+    std::vector<Painting> all;
+    for (std::size_t i = first; i < discFrames.size(); ++i) {
+      for (Painting& done : painter.paint(guides(discFrames, i), i + 1 == discFrames.size())) {
+        all.push_back(std::move(done));
+      }
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::vector<Painting> paintForward(const std::vector<int>& discFrames) const {
+    Synthesizer synthesizer(exemplar_, options_);
+    std::vector<Painting> all;
+    for (std::size_t i = 0; i < discFrames.size(); ++i) {
+      (void)synthesizer.paint(guides(discFrames, i));
+      all.push_back(synthesizer.painting());
+    }
+    return all;
+  }
+
+  [[nodiscard]] GuideFrame guides(const std::vector<int>& discFrames, std::size_t i) const {
+    GuideFrame frame = disc_.guides(discFrames[i]);
+    if (i > 0 && discFrames[i] == discFrames[i - 1]) {
+      frame.flow = Image<Vec2>(disc_.size);
+    }
+    return frame;
+  }
+
+  static bool looksAlike(const Painting& a, const Painting& b) {
+    return a.picture.size() == b.picture.size() &&
+           std::memcmp(a.picture.data(), b.picture.data(), a.picture.pixelCount() * sizeof(Lab)) ==
+               0;
+  }
+
+  /// Frames 0 to `count` - 1 of the disc.
+  static std::vector<int> moving(int count) {
+    std::vector<int> frames;
+    for (int i = 0; i < count; ++i) frames.push_back(i);
+    return frames;
+  }
+
+  test::GrowingDisc film_{Size{60, 56}, {30.0F, 28.0F}, 10.0F, 1.5F, 8};
+  test::GrowingDisc disc_{Size{64, 60}, {32.0F, 30.0F}, 27.0F, -0.8F, 20};
+  Exemplar exemplar_ = test::discExemplar(film_, 2, kBorderWidthPx, 20);
+  SynthesisOptions options_ = [] {
+    SynthesisOptions options;
+    options.optIterations = {2};
+    options.patchmatchIterations = {2};
+    return options;
+  }();
+};
+
+TEST_F(BidirectionalPainterTest, FinishesEveryFrameOnceAndInOrder) {
+  for (const int count : {1, 2, kWindowFrames - 1, kWindowFrames, kWindowFrames + 1,
+                          2 * kWindowFrames, 2 * kWindowFrames + 3}) {
+    const std::vector<Painting> painted = paint(moving(count));
+    ASSERT_EQ(static_cast<int>(painted.size()), count);
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(painted[static_cast<std::size_t>(i)].state.frame, i + 1);
+    }
+  }
+}
+
+TEST_F(BidirectionalPainterTest, TheLastFrameOfAWindowStaysAndTheOthersChange) {
+  const std::vector<int> frames = moving(kWindowFrames + 3);
+  const std::vector<Painting> forward = paintForward(frames);
+  const std::vector<Painting> both = paint(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool isLast = i + 1 == kWindowFrames || i + 1 == frames.size();
+    EXPECT_EQ(looksAlike(forward[i], both[i]), isLast) << i;
+  }
+}
+
+TEST_F(BidirectionalPainterTest, AHoldStaysOnePicture) {
+  std::vector<int> frames = moving(20);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    // Within a window; over its end; from its begin
+    if (i == 3 || i == 4 || i == 7 || i == 8 || i == 9 || i == 17) frames[i] = frames[i - 1];
+  }
+  const std::vector<Painting> painted = paint(frames);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_EQ(looksAlike(painted[i], painted[i - 1]), frames[i] == frames[i - 1]) << i;
+  }
+}
+
+TEST_F(BidirectionalPainterTest, GoesOnAfterAWindowAsIfNothingHadHappened) {
+  const std::vector<int> frames = moving(2 * kWindowFrames);
+  const std::vector<Painting> whole = paint(frames);
+  Synthesizer first(exemplar_, options_);
+  for (std::size_t i = 0; i < kWindowFrames; ++i) (void)first.paint(guides(frames, i));
+  Synthesizer second(exemplar_, options_);
+  second.restore(first.state(), guides(frames, kWindowFrames - 1));
+  BidirectionalPainter painter(second);
+  const std::vector<Painting> rest = paint(painter, frames, kWindowFrames);
+  ASSERT_EQ(rest.size(), std::size_t{kWindowFrames});
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    EXPECT_TRUE(looksAlike(rest[i], whole[kWindowFrames + i])) << i;
+  }
+}
+
+TEST_F(BidirectionalPainterTest, EmptyFramesAreFine) {
+  Synthesizer synthesizer(exemplar_, options_);
+  BidirectionalPainter painter(synthesizer);
+  std::vector<Painting> all;
+  for (int i = 0; i < 6; ++i) {
+    GuideFrame frame = disc_.guides(i);
+    if (i == 0 || i == 3) {
+      frame.mask = Mask(disc_.size);
+      frame.flow = Image<Vec2>(disc_.size);
+    }
+    for (Painting& done : painter.paint(frame, i == 5)) all.push_back(std::move(done));
+  }
+  ASSERT_EQ(all.size(), 6U);
+  for (const std::size_t empty : {0U, 3U}) EXPECT_FALSE(hasAnyMatch(all[empty].state.nnf));
+  for (const std::size_t full : {1U, 2U, 4U, 5U}) EXPECT_TRUE(hasAnyMatch(all[full].state.nnf));
+}
+
+}  // namespace
+}  // namespace fluidymation
