@@ -108,6 +108,7 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
   for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
+  memory_.resize(expectedUse_.size());
 }
 
 template <typename Body>
@@ -194,9 +195,13 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
                                                  const NearestNeighborField& shifted, bool fresh,
                                                  TargetLevel& target) const {
   const ExemplarLevel& exemplar = exemplar_.level(level);
-  const SearchProblem problem{
-      exemplar, expectedUse_[static_cast<std::size_t>(level - finestOptimized())], target, options_,
-      Place{frame_, level, {box_.beginX >> level, box_.beginY >> level}}};
+  const auto own = static_cast<std::size_t>(level - finestOptimized());
+  const SearchProblem problem{exemplar,
+                              expectedUse_[own],
+                              target,
+                              options_,
+                              Place{frame_, level, {box_.beginX >> level, box_.beginY >> level}},
+                              &memory_[own]};
   const int coarsest = exemplar_.levelCount() - 1;
   const LevelIterations count = iterations(level);
   const DistanceWeights weights{options_.texWeight, options_.edgeGain * options_.distWeight,
