@@ -118,15 +118,20 @@ int tileCount(Size size) {
   return along(size.width) * along(size.height);
 }
 
-/// The maps of the search, which leaves the finest level out where it is only upscaled.
+/// The maps of the search, per pixel and frame of the exemplar: of occurrence on all levels that
+/// are searched, of a tile's changes on those where matches are drawn.
 double occurrenceBytes(const RunSize& run) {
-  const bool finestIsSearched =
-      run.finestLevel != FinestLevel::kUpscaled || coarsestLevel(run.exemplar, run.target) == 0;
-  const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
-  const int workers = std::min(run.threads, tileCount(searched));
+  const bool isOnlyLevel = coarsestLevel(run.exemplar, run.target) == 0;
+  const bool finestIsSearched = run.finestLevel != FinestLevel::kUpscaled || isOnlyLevel;
+  const bool finestDraws = run.finestLevel == FinestLevel::kSearched || isOnlyLevel;
+  const int workers =
+      std::min(run.threads, tileCount(finestDraws ? run.target : halvedSize(run.target)));
   const double ofChanges =
       kMapBytes / UseChanges::framesPerGroup(run.exemplarFrames, run.occRadiusFrames);
-  return (finestIsSearched ? 1.0 : 0.25) * (kMapBytes + ofChanges * workers);
+  const auto levelsFrom = [](bool finest) {
+    return finest ? kPyramidFactor : kPyramidFactor / 4.0;
+  };
+  return levelsFrom(finestIsSearched) * kMapBytes + levelsFrom(finestDraws) * ofChanges * workers;
 }
 
 }  // namespace
