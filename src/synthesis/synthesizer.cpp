@@ -154,7 +154,7 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
   }
   nnf_ = std::move(nnf);
   return timed(Stage::kPaint, 0, [&] {
-    return paintedVote(exemplar_.level(0), paintedPixels(frame), nnf_, options_.paintedVote).color;
+    return paintedVote(exemplar_.level(0), paintedPixels(frame), nnf_, options_.paintedVote);
   });
 }
 
