@@ -35,8 +35,8 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 // this frame and the last one.
 //
 // Measured: the solver takes 204 to 208 bytes per pixel of a nearly full mask, at four sizes.
-// Whole runs with such masks peak at 0.80 to 0.95 of what this gives: exemplars of 2000x1500 px and
-// 1 or 3 frames, 600x450 and 30, 300x225 and 50, targets of 1000x750 and 600x450.
+// Whole runs with such masks, by one thread, peak at 0.60 to 0.78 of what this gives: exemplars of
+// 2000x1500 px and 1 or 3 frames, 600x450 and 30, 300x225 and 50, targets of 1000x750 and 600x450.
 constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
