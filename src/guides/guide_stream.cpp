@@ -90,10 +90,13 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options,
     shapes = joined(shapes, frames_[at(i)].shape.packedMask().box());
   }
   const Box box = fromEvenPixel(grown(shapes, flowMarginPx(), frames_[at(begin)].shape.size()));
-  ShapeChanges changes(end - begin, options.timeBlurSigmaFrames, [&](int i) {
-    const PackedShape& shape = frames_[at(begin + i)].shape;
-    return ShapeChanges::Shape{shape.packedMask().unpack(box), shape.edgeDistance(box)};
-  });
+  ShapeChanges changes(
+      end - begin, options.timeBlurSigmaFrames,
+      [&](int i) {
+        const PackedShape& shape = frames_[at(begin + i)].shape;
+        return ShapeChanges::Shape{shape.packedMask().unpack(box), shape.edgeDistance(box)};
+      },
+      [&](int i) { return repeatsShape(begin + i); });
   for (int i = begin; i < end; ++i) {
     if (beforeFlow) beforeFlow();
     StoredFrame& frame = frames_[at(i)];
@@ -136,15 +139,35 @@ bool GuideStream::drawsLines() const {
   return lines.found();
 }
 
+bool GuideStream::repeatsShape(int frame) const {
+  return frame > 0 && frame < frameCount() &&
+         frames_[at(frame)].shape == frames_[at(frame - 1)].shape;
+}
+
+void GuideStream::addShape(const PackedShape& shape, GuideFrame& guides) {
+  if (repeatsShape(nextFrame_)) {
+    guides.mask = shape.mask();
+    guides.distance = held_.distance.clone();
+    guides.coverage = held_.coverage.clone();
+    guides.shape = held_.shape.clone();
+  } else {
+    shape.addTo(guides);
+    if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
+    held_ = {};
+    if (repeatsShape(nextFrame_ + 1)) {
+      held_ = {guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
+    }
+  }
+}
+
 GuideFrame GuideStream::next() {
   assert(nextFrame_ < frameCount());
   StoredFrame& stored = frames_[at(nextFrame_)];
   GuideFrame guides;
-  stored.shape.addTo(guides);
+  addShape(stored.shape, guides);
   const PackedMask& mask = stored.shape.packedMask();
   guides.flow = scatter(mask, stored.flow);
   guides.accBackward = scatter(mask, stored.accBackward);
-  if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
   if (nextFrame_ == 0) {
     accForward_.resize(stored.flow.size());
   } else {
@@ -152,6 +175,9 @@ GuideFrame GuideStream::next() {
                                     mask, stored.flow);
   }
   guides.accForward = scatter(mask, accForward_);
+  const bool isStill =
+      repeatsShape(nextFrame_) && std::all_of(stored.flow.begin(), stored.flow.end(),
+                                              [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; });
   std::vector<Vec2>().swap(stored.flow);  // given away, and not asked for again
   std::vector<Vec2>().swap(stored.accBackward);
 
@@ -159,11 +185,16 @@ GuideFrame GuideStream::next() {
   if (nextFrame_ > 0) {
     previous = scatter(frames_[at(nextFrame_ - 1)].shape.packedMask(), direction_);
   }
-  DirectionField direction =
-      flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
-  guides.direction = std::move(direction.direction);
-  guides.diffusion = worse(stored.diffusion, direction.report);
-  direction_ = gather(mask, guides.direction);
+  if (isStill) {  // every pixel keeps the direction that it has
+    guides.direction = std::move(previous);
+    guides.diffusion = stored.diffusion;
+  } else {
+    DirectionField direction =
+        flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
+    guides.direction = std::move(direction.direction);
+    guides.diffusion = worse(stored.diffusion, direction.report);
+    direction_ = gather(mask, guides.direction);
+  }
   ++nextFrame_;
   return guides;
 }

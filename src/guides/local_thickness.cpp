@@ -64,8 +64,9 @@ Mask thinPixels(const Image<float>& distance, const Mask& thick) {
   return thin;
 }
 
-/// `localThickness`, in time that goes with all of the image.
-Image<float> thicknessOfAll(const Image<float>& distance, float limitPx) {
+}  // namespace
+
+Image<float> localThickness(const Image<float>& distance, float limitPx) {
   // Thick parts at once, by the distance to their deep pixels
   const Mask thick = nearDeepPixels(distance, limitPx);
   Image<float> thickness(distance.size());
@@ -89,27 +90,11 @@ Image<float> thicknessOfAll(const Image<float>& distance, float limitPx) {
   return thickness;
 }
 
-/// All that thickness depends on.
-Box insideBox(const Image<float>& distance) {
-  return boundingBox(distance, [](float d) { return d > 0.0F; });
-}
-
-}  // namespace
-
-Image<float> localThickness(const Image<float>& distance, float limitPx) {
-  Image<float> thickness(distance.size());
-  const Box box = insideBox(distance);
-  const Image<float> within = thicknessOfAll(cropped(distance, box), limitPx);
-  for (int y = 0; y < within.height(); ++y) {
-    std::copy_n(within.row(y), within.width(), thickness.row(box.beginY + y) + box.beginX);
-  }
-  return thickness;
-}
-
 Image<float> stretchedDistance(const Image<float>& distance, float borderWidthPx) {
   Image<float> stretched = distance.clone();
-  const Box box = insideBox(distance);
-  const Image<float> thickness = thicknessOfAll(cropped(distance, box), borderWidthPx);
+  // All that thickness depends on
+  const Box box = boundingBox(distance, [](float d) { return d > 0.0F; });
+  const Image<float> thickness = localThickness(cropped(distance, box), borderWidthPx);
   forEachRow(thickness.height(), [&](int y) {
     float* out = stretched.row(box.beginY + y) + box.beginX;
     for (int x = 0; x < thickness.width(); ++x) {

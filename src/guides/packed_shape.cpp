@@ -18,6 +18,16 @@ bool hasPartlyCoveredPixels(const Image<float>& coverage) {
                      [](float c) { return c != 0.0F && c != 1.0F; });
 }
 
+bool isEqual(const Image<float>& a, const Image<float>& b) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+}
+
+void add(const PackedShape& shape, ShapeTally& tally) {
+  ++tally.frames;
+  tally.maskPixels += static_cast<std::int64_t>(shape.packedMask().count());
+  tally.crossings += static_cast<std::int64_t>(shape.crossingCount());
+}
+
 }  // namespace
 
 Image<float> PackedShape::edgeDistance(const Box& box) const {
@@ -47,26 +57,29 @@ std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
   ShapeTally hardTally;
   ShapeTally softTally;
   bool isSoft = false;
+  InputMask last;
   for (int i = 0; i < frameCount; ++i) {
-    const InputMask input = readMask(i);
-    OutlinedMask shape = outlinedMask(input.coverage, options);
-    assert(soft.empty() || shape.mask.size() == soft.front().size());
-    softTally.maskPixels += static_cast<std::int64_t>(countInside(shape.mask));
-    softTally.crossings += static_cast<std::int64_t>(shape.outline.crossingCount());
+    InputMask input = readMask(i);
     isSoft = isSoft || input.soft;
-    if (isSoft) {
-      hard.clear();
+    if (isSoft) hard.clear();
+    if (i > 0 && isEqual(input.coverage, last.coverage)) {  // a hold
+      if (!isSoft) hard.push_back(hard.back());
+      soft.push_back(soft.back());
     } else {
-      // The same mask, unless it was scaled or is smoothed by next to nothing
-      const bool smoothsAlike =
-          options.blurSigmaPx == 0.0F || options.blurSigmaPx >= kLeastCoverageSigmaPx;
-      const bool same = smoothsAlike && !hasPartlyCoveredPixels(input.coverage);
-      const Mask mask = same ? shape.mask.clone() : smoothMask(input.cut(), options);
-      hardTally.maskPixels += static_cast<std::int64_t>(countInside(mask));
-      hard.emplace_back(mask);
+      OutlinedMask shape = outlinedMask(input.coverage, options);
+      assert(soft.empty() || shape.mask.size() == soft.front().size());
+      if (!isSoft) {
+        // The same mask, unless it was scaled or is smoothed by next to nothing
+        const bool smoothsAlike =
+            options.blurSigmaPx == 0.0F || options.blurSigmaPx >= kLeastCoverageSigmaPx;
+        const bool same = smoothsAlike && !hasPartlyCoveredPixels(input.coverage);
+        hard.emplace_back(same ? shape.mask.clone() : smoothMask(input.cut(), options));
+      }
+      soft.emplace_back(std::move(shape));
     }
-    soft.emplace_back(std::move(shape));
-    hardTally.frames = softTally.frames = i + 1;
+    last = std::move(input);
+    if (!isSoft) add(hard.back(), hardTally);
+    add(soft.back(), softTally);
     if (watch) watch(isSoft ? softTally : hardTally);
   }
   return isSoft ? std::move(soft) : std::move(hard);

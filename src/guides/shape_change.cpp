@@ -15,8 +15,11 @@ int endOf(const TemporalWeights& window) {
 
 }  // namespace
 
-ShapeChanges::ShapeChanges(int frameCount, float sigmaFrames, ShapeOf shapeOf)
-    : frameCount_(frameCount), sigmaFrames_(sigmaFrames), shapeOf_(std::move(shapeOf)) {}
+ShapeChanges::ShapeChanges(int frameCount, float sigmaFrames, ShapeOf shapeOf, Repeats repeats)
+    : frameCount_(frameCount),
+      sigmaFrames_(sigmaFrames),
+      shapeOf_(std::move(shapeOf)),
+      repeats_(std::move(repeats)) {}
 
 ShapeChange ShapeChanges::at(int frame) {
   const TemporalWeights window = temporalWeights(frame, frameCount_, sigmaFrames_);
@@ -38,7 +41,12 @@ const ShapeChanges::MeasuredShape& ShapeChanges::shape(int frame) const {
 void ShapeChanges::provide(int first, int end) {
   for (; firstShape_ < first; ++firstShape_) shapes_.pop_front();
   while (firstShape_ + static_cast<int>(shapes_.size()) < end) {
-    const Shape shape = shapeOf_(firstShape_ + static_cast<int>(shapes_.size()));
+    const int frame = firstShape_ + static_cast<int>(shapes_.size());
+    if (!shapes_.empty() && repeats_(frame)) {
+      shapes_.push_back({shapes_.back().thicknesses, shapes_.back().field.clone()});
+      continue;
+    }
+    const Shape shape = shapeOf_(frame);
     shapes_.push_back({partThicknesses(shape.mask, shape.distance),
                        gaussianBlur(shape.distance, kStaircaseSigmaPx)});
   }

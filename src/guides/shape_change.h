@@ -19,11 +19,16 @@ class ShapeChanges {
     Mask mask;
     Image<float> distance;  ///< `continuousDistance` or `outlineDistance`
   };
-  /// Asked for once, in order; frames count from the beginning of the run.
+  /// Asked for at most once, in order; frames count from the beginning of the run.
   using ShapeOf = std::function<Shape(int frame)>;
 
+  /// Whether a frame has the shape of the one before it, which is then not asked for anew.
+  using Repeats = std::function<bool(int frame)>;
+
   /// @param frameCount  of the run, >= 2.
-  ShapeChanges(int frameCount, float sigmaFrames, ShapeOf shapeOf);
+  ShapeChanges(
+      int frameCount, float sigmaFrames, ShapeOf shapeOf,
+      Repeats repeats = [](int) { return false; });
 
   /// The change that leads to `frame`; the first frame moves as it does towards the second. Valid
   /// until the next call.
@@ -42,6 +47,7 @@ class ShapeChanges {
   int frameCount_;
   float sigmaFrames_;
   ShapeOf shapeOf_;
+  Repeats repeats_;
   int firstShape_ = 0;
   std::deque<MeasuredShape> shapes_;  ///< of frames firstShape_, firstShape_ + 1, ...
 };

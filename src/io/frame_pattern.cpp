@@ -13,7 +13,7 @@ constexpr int kLargestWidth = 20;              // digits; no int has more than 1
 constexpr std::size_t kLongestShown = 120;     // bytes of a faulty pattern shown in its message
 
 [[nodiscard]] bool isDigit(char c) { return c >= '0' && c <= '9'; }
-[[nodiscard]] bool isControl(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
+[[nodiscard]] bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
 [[noreturn]] void refuse(const std::string& pattern, const std::string& what) {
   std::string shown =

@@ -34,11 +34,10 @@ Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& guides,
 
 Digest FrameWriter::write(const std::string& path, const Image<Lab>& picture,
                           const GuideFrame& guides) {
-  Image<Rgba8> output = toOutput(picture, guides, encoder_);
+  Image<Rgba8> output = toOutput(picture, guides, colors_);
   if (lastFile_.empty() || !looksAlike(output, last_)) {
-    lastFile_ = encodePng(output, compressionLevel_);
+    lastFile_ = encode_(output);
     last_ = std::move(output);
-    ++encodedCount_;
   }
   writeAtomically(path, lastFile_);
   return digestOf(lastFile_.data(), lastFile_.size());

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fluidymation/core/color.h"
@@ -22,23 +24,25 @@ namespace fluidymation {
 /// same bytes are written once more.
 class FrameWriter {
  public:
+  using Encoder = std::function<std::vector<std::uint8_t>(const Image<Rgba8>& pixels)>;
+
+  explicit FrameWriter(Encoder encode) : encode_(std::move(encode)) {}
   /// @param compressionLevel  0 to 9, see `encodePng`.
-  explicit FrameWriter(int compressionLevel) : compressionLevel_(compressionLevel) {}
+  explicit FrameWriter(int compressionLevel)
+      : FrameWriter([compressionLevel](const Image<Rgba8>& pixels) {
+          return encodePng(pixels, compressionLevel);
+        }) {}
 
   /// @param guides  mask and coverage of the frame.
   /// @return  of the file.
   /// @throws Error naming the file that cannot be written.
   Digest write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
 
-  /// Frames that were encoded so far.
-  [[nodiscard]] int encodedCount() const { return encodedCount_; }
-
  private:
-  int compressionLevel_;
-  SrgbByteEncoder encoder_;
+  Encoder encode_;
+  SrgbByteEncoder colors_;
   Image<Rgba8> last_;
   std::vector<std::uint8_t> lastFile_;  ///< `last_` encoded
-  int encodedCount_ = 0;
 };
 
 }  // namespace fluidymation

@@ -35,8 +35,8 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 // this frame and the last one.
 //
 // Measured: the solver takes 204 to 208 bytes per pixel of a nearly full mask, at four sizes.
-// Whole runs with such masks peak at 0.80 to 0.95 of what this gives: exemplars of 2000x1500 px and
-// 1 or 3 frames, 600x450 and 30, 300x225 and 50, targets of 1000x750 and 600x450.
+// Whole runs with such masks, by one thread, peak at 0.60 to 0.78 of what this gives: exemplars of
+// 2000x1500 px and 1 or 3 frames, 600x450 and 30, 300x225 and 50, targets of 1000x750 and 600x450.
 constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
@@ -123,15 +123,20 @@ int tileCount(Size size) {
   return along(size.width) * along(size.height);
 }
 
-/// The maps of the search, which leaves the finest level out where it is only upscaled.
+/// The maps of the search, per pixel and frame of the exemplar: of occurrence on all levels that
+/// are searched, of a tile's changes on those where matches are drawn.
 double occurrenceBytes(const RunSize& run) {
-  const bool finestIsSearched =
-      run.finestLevel != FinestLevel::kUpscaled || coarsestLevel(run.exemplar, run.target) == 0;
-  const Size searched = finestIsSearched ? run.target : halvedSize(run.target);
-  const int workers = std::min(run.threads, tileCount(searched));
+  const bool isOnlyLevel = coarsestLevel(run.exemplar, run.target) == 0;
+  const bool finestIsSearched = run.finestLevel != FinestLevel::kUpscaled || isOnlyLevel;
+  const bool finestDraws = run.finestLevel == FinestLevel::kSearched || isOnlyLevel;
+  const int workers =
+      std::min(run.threads, tileCount(finestDraws ? run.target : halvedSize(run.target)));
   const double ofChanges =
       kMapBytes / UseChanges::framesPerGroup(run.exemplarFrames, run.occRadiusFrames);
-  return (finestIsSearched ? 1.0 : 0.25) * (kMapBytes + ofChanges * workers);
+  const auto levelsFrom = [](bool finest) {
+    return finest ? kPyramidFactor : kPyramidFactor / 4.0;
+  };
+  return levelsFrom(finestIsSearched) * kMapBytes + levelsFrom(finestDraws) * ofChanges * workers;
 }
 
 }  // namespace

@@ -6,12 +6,17 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/shape_rules.h"
+#include "synthesis/patch_kernels.h"
 
 namespace fluidymation {
 
 ExemplarLevel::ExemplarLevel(Size size, int frameCount, float borderWidthPx,
                              const ShapeRules& rules)
-    : size_(size), frameCount_(frameCount), borderWidthPx_(borderWidthPx), rules_(rules) {
+    : kernels_(&bestKernels()),
+      size_(size),
+      frameCount_(frameCount),
+      borderWidthPx_(borderWidthPx),
+      rules_(rules) {
   const std::size_t volume = offset(0, 0, frameCount);
   assert(volume <= std::numeric_limits<std::uint32_t>::max());  // candidates are 32-bit indices
   texels_.resize(padded(-kMarginPx, -kMarginPx, frameCount));
@@ -88,32 +93,6 @@ void ExemplarLevel::finish(const ExtentScale& extentScale) {
   segmented_ = !borderPixels_.empty() && !interiorPixels_.empty();
 }
 
-float ExemplarLevel::value(int x, int y, int k, Channel channel) const {
-  const Texel& there = texel(x, y, k);
-  switch (channel) {
-    case kLightness:
-      return static_cast<float>(there.color.l) / kColorSteps;
-    case kGreenRed:
-      return static_cast<float>(there.color.a) / kColorSteps;
-    case kBlueYellow:
-      return static_cast<float>(there.color.b) / kColorSteps;
-    case kEdge:
-      return static_cast<float>(there.guides.edge) / kEdgeSteps;
-    case kExtForward:
-      return static_cast<float>(there.guides.extForward) / extentSteps_;
-    case kExtBackward:
-      return static_cast<float>(there.guides.extBackward) / extentSteps_;
-    case kDirectionX:
-      return direction(x, y, k).x;
-    case kDirectionY:
-      return direction(x, y, k).y;
-    case kChannelCount:
-      break;
-  }
-  assert(false);
-  return 0.0F;
-}
-
 const std::vector<std::uint32_t>& ExemplarLevel::candidates(Segment segment) const {
   return rules_.hardSegments ? pixelsOf(segment) : allPixels_;
 }
@@ -160,6 +139,10 @@ void Exemplar::setGuides(int frame, const GuideFrame& guides) {
   }
   accForward_[static_cast<std::size_t>(frame)] = guides.accForward.clone();
   accBackward_[static_cast<std::size_t>(frame)] = guides.accBackward.clone();
+}
+
+void Exemplar::use(const PatchKernels& kernels) {
+  for (ExemplarLevel& level : levels_) level.use(kernels);
 }
 
 void Exemplar::finish(ExtentUnit unit) {

@@ -1,7 +1,9 @@
 #include "fluidymation/synthesis/occurrence.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <cstring>
 
 #include "fluidymation/core/parallel.h"
 
@@ -11,74 +13,84 @@ namespace {
 /// A window reaches kPatchRadius from its centre, and so does the box of each of its positions.
 constexpr int kReachPx = 2 * kPatchRadius;
 
-/// Columns of a map that are filtered along y at a time: their rows stay in the second-level cache.
-constexpr int kChunkColumns = 32;
+/// Columns and frames that are filtered at a time, where any of them is used. Columns: no fewer
+/// than a use reaches to either side, so that the neighbouring block is as far as it gets.
+constexpr int kBlockColumns = 8;
+constexpr int kSlabFrames = 32;
+static_assert(kBlockColumns >= kReachPx);
 
-/// Sums over kPatchSize neighbours, twice, along a line of vectors of integers, in place: the box
-/// of each position first, then the positions of each window. What lies past the ends counts
-/// nothing.
-class TwoBoxes {
- public:
-  /// @param length  of the vectors.
-  explicit TwoBoxes(std::size_t length)
-      : length_(length),
-        in_(kSlots * length),
-        box_(kSlots * length),
-        boxRun_(length),
-        run_(length) {}
+/// Four integers that the compiler keeps in one vector register (GCC and Clang, any architecture).
+using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-  /// @param line   the first of `count` vectors.
-  /// @param step   integers from one vector to the next.
-  void along(std::int32_t* line, int count, std::size_t step) {
-    // A vector is read in step i, its box known kPatchRadius steps later, and its sum of boxes
-    // another kPatchRadius: by then the vector itself is not needed any more.
-    for (int i = 0; i < count + kReachPx; ++i) {
-      const std::int32_t* in = i < count ? line + static_cast<std::size_t>(i) * step : nullptr;
-      addBox(i, in);
+template <typename Lanes>
+Lanes loadLanes(const std::int32_t* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof(lanes));
+  return lanes;
+}
+
+/// Sums over kPatchSize neighbours, twice, along a line of `count` integers, or of as many `Lanes`,
+/// that are `step` apart, in place: the box of each position first, then the positions of each
+/// window. What lies past the ends counts nothing.
+template <typename Lanes>
+void sumTwice(std::int32_t* line, int count, std::size_t step) {
+  // A value is read in step i, its box known kPatchRadius steps later, and its sum of boxes
+  // another kPatchRadius: by then the value itself is not needed any more.
+  std::array<Lanes, kPatchSize> values{};  // those that the next box has to forget, and the boxes
+  std::array<Lanes, kPatchSize> boxes{};   // that the next sum has to
+  Lanes box{};
+  Lanes sum{};
+  std::int32_t* in = line;
+  std::int32_t* out = line;
+  for (int first = 0; first < count + kReachPx; first += kPatchSize) {
+    for (int slot = 0; slot < kPatchSize; ++slot) {
+      const int i = first + slot;
+      Lanes value{};
+      if (i < count) {
+        value = loadLanes<Lanes>(in);
+        in += step;
+      }
+      auto& oldValue = values[static_cast<std::size_t>(slot)];
+      box += value - oldValue;
+      oldValue = value;
       const int centre = i - kPatchRadius;
-      addSum(centre, centre >= 0 && centre < count);
-      if (i >= kReachPx) {
-        std::copy(run_.begin(), run_.end(), line + static_cast<std::size_t>(i - kReachPx) * step);
+      const Lanes counted = centre >= 0 && centre < count ? box : Lanes{};
+      auto& oldBox =
+          boxes[static_cast<std::size_t>((slot + kPatchSize - kPatchRadius) % kPatchSize)];
+      sum += counted - oldBox;
+      oldBox = counted;
+      if (i >= kReachPx && i < count + kReachPx) {
+        std::memcpy(out, &sum, sizeof(sum));
+        out += step;
       }
     }
   }
+}
 
- private:
-  static constexpr int kSlots = kPatchSize;  ///< as many as a sum has to forget again
+/// The same for `lanes` lines side by side.
+void sumTwiceAlong(std::int32_t* lines, int lanes, int count, std::size_t step) {
+  constexpr int kWidth = sizeof(Int4) / sizeof(std::int32_t);
+  int lane = 0;
+  for (; lane + kWidth <= lanes; lane += kWidth) sumTwice<Int4>(lines + lane, count, step);
+  for (; lane < lanes; ++lane) sumTwice<std::int32_t>(lines + lane, count, step);
+}
 
-  static std::size_t slot(int i) { return static_cast<std::size_t>((i + kSlots) % kSlots); }
-
-  /// boxRun_ becomes the box that ends with vector i, null: zeros.
-  void addBox(int i, const std::int32_t* in) {
-    std::int32_t* const old = in_.data() + slot(i) * length_;  // of kPatchSize steps ago
-    if (in == nullptr) {
-      for (std::size_t l = 0; l < length_; ++l) boxRun_[l] -= old[l];
-      std::fill(old, old + length_, 0);
-      return;
+/// Calls `body(begin, end)` for every longest run of positions in [0, count) within `reach` of one
+/// for which `isUsed` holds.
+template <typename IsUsed, typename Body>
+void forEachRun(int count, int reach, const IsUsed& isUsed, const Body& body) {
+  int begin = 0;
+  int end = 0;  // of the run so far
+  for (int i = 0; i < count; ++i) {
+    if (!isUsed(i)) continue;
+    if (i - reach > end) {
+      if (end > begin) body(begin, end);
+      begin = i - reach;
     }
-    for (std::size_t l = 0; l < length_; ++l) {
-      boxRun_[l] += in[l] - old[l];
-      old[l] = in[l];
-    }
+    end = std::min(i + reach + 1, count);
   }
-
-  /// run_ becomes the sum of boxes that ends with the one at `centre`.
-  void addSum(int centre, bool counts) {
-    std::int32_t* const old = box_.data() + slot(centre) * length_;
-    const std::int32_t use = counts ? 1 : 0;
-    for (std::size_t l = 0; l < length_; ++l) {
-      const std::int32_t box = use * boxRun_[l];
-      run_[l] += box - old[l];
-      old[l] = box;
-    }
-  }
-
-  std::size_t length_;
-  std::vector<std::int32_t> in_;   ///< the last kSlots vectors
-  std::vector<std::int32_t> box_;  ///< the last kSlots boxes
-  std::vector<std::int32_t> boxRun_;
-  std::vector<std::int32_t> run_;
-};
+  if (end > begin) body(begin, end);
+}
 
 /// Number of window positions p in [0, length) within kPatchRadius of both `centre` and `other`:
 /// the weight of a use at `other` in the window sum at `centre`, along one axis.
@@ -93,42 +105,15 @@ int sharedPositions(int centre, int other, int length) {
 OccurrenceMap::OccurrenceMap(Size size, int frameCount, int radiusFrames)
     : size_(size),
       frameCount_(frameCount),
-      radiusFrames_(radiusFrames),
+      radiusFrames_(std::min(radiusFrames, frameCount)),
+      slabs_((frameCount + kSlabFrames - 1) / kSlabFrames),
+      blocks_((size.width + kBlockColumns - 1) / kBlockColumns),
+      used_(usedIndex(slabs_, 0, 0), 0),
       sums_(index(0, size.height, 0), 0) {}
-
-void OccurrenceMap::clear() { std::fill(sums_.begin(), sums_.end(), 0); }
 
 std::int32_t OccurrenceMap::windowSum(const Match& match) const {
   return windowSum(std::clamp(match.nearestX(), 0, size_.width - 1),
                    std::clamp(match.nearestY(), 0, size_.height - 1), match.frame);
-}
-
-void OccurrenceMap::add(const Match& match, int delta) {
-  const int cx = std::clamp(match.nearestX(), 0, size_.width - 1);
-  const int cy = std::clamp(match.nearestY(), 0, size_.height - 1);
-  const int firstFrame = std::max(match.frame - radiusFrames_, 0);
-  const int lastFrame = std::min(match.frame + radiusFrames_, frameCount_ - 1);
-  const int firstX = std::max(cx - kReachPx, 0);
-  const int lastX = std::min(cx + kReachPx, size_.width - 1);
-  for (int y = std::max(cy - kReachPx, 0); y <= std::min(cy + kReachPx, size_.height - 1); ++y) {
-    const int rowWeight = delta * sharedPositions(y, cy, size_.height);
-    for (int x = firstX; x <= lastX; ++x) {
-      const int weight = rowWeight * sharedPositions(x, cx, size_.width);
-      std::int32_t* run = sums_.data() + index(x, y, 0);
-      for (int k = firstFrame; k <= lastFrame; ++k) run[k] += weight;
-    }
-  }
-}
-
-std::int32_t OccurrenceMap::contribution(const Match& used, const Match& centre) const {
-  const auto clampedX = [&](const Match& m) {
-    return std::clamp(m.nearestX(), 0, size_.width - 1);
-  };
-  const auto clampedY = [&](const Match& m) {
-    return std::clamp(m.nearestY(), 0, size_.height - 1);
-  };
-  return contribution(clampedX(used), clampedY(used), used.frame, clampedX(centre),
-                      clampedY(centre), centre.frame);
 }
 
 std::int32_t OccurrenceMap::contribution(int usedX, int usedY, int usedFrame, int x, int y,
@@ -144,43 +129,80 @@ void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {
   clear();
   for (const Match& match : nnf) {
     if (!match.exists()) continue;
-    ++sums_[index(std::clamp(match.nearestX(), 0, size_.width - 1),
-                  std::clamp(match.nearestY(), 0, size_.height - 1), match.frame)];
+    use(std::clamp(match.nearestX(), 0, size_.width - 1),
+        std::clamp(match.nearestY(), 0, size_.height - 1), match.frame);
   }
   filter();
 }
 
-void OccurrenceMap::filter() {
-  const auto frames = static_cast<std::size_t>(frameCount_);
-  const std::size_t row = index(0, 1, 0);
-  forEachRow(size_.height, [&](int y) {
-    spreadOverFrames(y);
-    TwoBoxes(frames).along(sums_.data() + index(0, y, 0), size_.width, frames);
+void OccurrenceMap::clear() {
+  const auto bytes = [](const Region& r) {
+    return static_cast<std::size_t>(r.frames) * sizeof(std::int32_t);
+  };
+  parallelFor(static_cast<int>(filtered_.size()), 8, [&](int i) {
+    const Region& region = filtered_[static_cast<std::size_t>(i)];
+    for (int y = region.top; y < region.bottom; ++y) {
+      for (int x = region.left; x < region.right; ++x) {
+        std::memset(sums_.data() + index(x, y, region.firstFrame), 0, bytes(region));
+      }
+    }
   });
-  const int chunks = (size_.width + kChunkColumns - 1) / kChunkColumns;
-  parallelFor(chunks, 1, [&](int chunk) {
-    const int first = chunk * kChunkColumns;
-    const int columns = std::min(kChunkColumns, size_.width - first);
-    TwoBoxes(frames * static_cast<std::size_t>(columns))
-        .along(sums_.data() + index(first, 0, 0), size_.height, row);
-  });
+  filtered_.clear();
 }
 
-void OccurrenceMap::spreadOverFrames(int y) {
-  std::vector<std::int32_t> prefix(static_cast<std::size_t>(frameCount_) + 1);
-  for (int x = 0; x < size_.width; ++x) {
-    std::int32_t* run = sums_.data() + index(x, y, 0);
-    for (int k = 0; k < frameCount_; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      prefix[i + 1] = prefix[i] + run[k];
-    }
-    if (prefix.back() == 0) continue;
-    for (int k = 0; k < frameCount_; ++k) {
-      const auto end = static_cast<std::size_t>(std::min(k + radiusFrames_ + 1, frameCount_));
-      const auto begin = static_cast<std::size_t>(std::max(k - radiusFrames_, 0));
-      run[k] = prefix[end] - prefix[begin];
-    }
+void OccurrenceMap::use(int x, int y, int frame) {
+  const int first = std::max(frame - radiusFrames_, 0);
+  const int last = std::min(frame + radiusFrames_, frameCount_ - 1);
+  std::int32_t* const run = sums_.data() + index(x, y, 0);
+  for (int k = first; k <= last; ++k) ++run[k];
+  for (int slab = first / kSlabFrames; slab <= last / kSlabFrames; ++slab) {
+    used_[usedIndex(slab, y, x / kBlockColumns)] = 1;
   }
+}
+
+void OccurrenceMap::filter() {
+  for (int slab = 0; slab < slabs_; ++slab) filter(slab);
+}
+
+void OccurrenceMap::filter(int slab) {
+  const int firstFrame = slab * kSlabFrames;
+  const int frames = std::min(kSlabFrames, frameCount_ - firstFrame);
+  const auto isUsed = [&](int block, int y) { return used_[usedIndex(slab, y, block)] != 0; };
+
+  forEachRow(size_.height, [&](int y) {
+    forEachRun(
+        blocks_, 1, [&](int block) { return isUsed(block, y); },
+        [&](int begin, int end) {
+          const int left = begin * kBlockColumns;
+          const int right = std::min(end * kBlockColumns, size_.width);
+          sumTwiceAlong(sums_.data() + index(left, y, firstFrame), frames, right - left,
+                        index(1, 0, 0));
+        });
+  });
+
+  // What of a column of blocks is used, is near a use along y too.
+  std::vector<std::vector<Region>> regions(static_cast<std::size_t>(blocks_));
+  parallelFor(blocks_, 1, [&](int block) {
+    const int left = block * kBlockColumns;
+    const int right = std::min(left + kBlockColumns, size_.width);
+    const auto isReached = [&](int y) {
+      return isUsed(block, y) || (block > 0 && isUsed(block - 1, y)) ||
+             (block + 1 < blocks_ && isUsed(block + 1, y));
+    };
+    forEachRun(size_.height, kReachPx, isReached, [&](int top, int bottom) {
+      regions[static_cast<std::size_t>(block)].push_back(
+          {left, top, right, bottom, firstFrame, frames});
+      for (int x = left; x < right; ++x) {
+        sumTwiceAlong(sums_.data() + index(x, top, firstFrame), frames, bottom - top,
+                      index(0, 1, 0));
+      }
+    });
+  });
+  for (const std::vector<Region>& ofBlock : regions) {
+    filtered_.insert(filtered_.end(), ofBlock.begin(), ofBlock.end());
+  }
+  std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(usedIndex(slab, 0, 0)),
+              usedIndex(1, 0, 0), std::uint8_t{0});
 }
 
 double OccurrenceMap::meanOfUniformUse(const ExemplarLevel& exemplar,
@@ -189,7 +211,7 @@ double OccurrenceMap::meanOfUniformUse(const ExemplarLevel& exemplar,
   OccurrenceMap map(exemplar.size(), exemplar.frameCount(), radiusFrames);
   for (const std::uint32_t i : pixels) {
     const ExemplarLevel::Position p = exemplar.position(i);
-    ++map.sums_[map.index(p.x, p.y, p.frame)];
+    map.use(p.x, p.y, p.frame);
   }
   map.filter();
   double sum = 0.0;

@@ -43,7 +43,7 @@ float perStep(float weight, float stepsPerUnit) { return weight / (stepsPerUnit 
 
 PatchDistance::PatchDistance(const ExemplarLevel& exemplar, const TargetLevel& target,
                              const DistanceWeights& weights)
-    : exemplar_(exemplar), target_(target), kernels_(bestKernels()), weights_(weights) {
+    : exemplar_(exemplar), target_(target), kernels_(exemplar.kernels()), weights_(weights) {
   for (std::size_t i = 0; i < kPatchArea; ++i) {
     offsets_[i] = sampleOffsetY(i) * target.size().width + sampleOffsetX(i);
   }

@@ -1,7 +1,12 @@
 // The inner loops with AVX2: two samples of eight 16-bit channels at a time.
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "synthesis/patch_kernels.h"
 #include "synthesis/sample_order.h"
+#include "synthesis/subpixels.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
@@ -11,9 +16,6 @@
 
 namespace fluidymation {
 namespace {
-
-constexpr float kSubpixels = 65536.0F;  // fixed-point steps per pixel of a position
-constexpr int kSubpixelBits = 16;
 
 /// Where eight samples are read: texels from the window's origin, and the weights of the right and
 /// lower neighbour, 15 bits, twice in each 32-bit lane.
@@ -25,8 +27,9 @@ struct alignas(32) Addresses {
 
 /// The fraction of a position as a weight, in both halves of the lane.
 FLUIDYMATION_AVX2 inline __m256i weights(__m256i position) {
+  constexpr int kWholeBits = 32 - kSubpixelBits;
   const __m256i fraction =
-      _mm256_srli_epi32(_mm256_slli_epi32(position, kSubpixelBits), kSubpixelBits + 1);
+      _mm256_srli_epi32(_mm256_slli_epi32(position, kWholeBits), 32 - kShareBits);
   return _mm256_or_si256(fraction, _mm256_slli_epi32(fraction, 16));
 }
 
@@ -256,7 +259,7 @@ FLUIDYMATION_AVX2 void gather(const WindowSource& source, const WindowWeights& w
   window.weight[kPatchArea] = {};
   const __m128 pair = _mm_add_ps(apart, _mm_movehl_ps(apart, apart));
   const float sum = _mm_cvtss_f32(_mm_add_ss(pair, _mm_movehdup_ps(pair)));
-  window.constant = colorWeight * (static_cast<float>(share) * (1.0F / 32768.0F)) * sum;
+  window.constant = colorWeight * (static_cast<float>(share) * kShareStep) * sum;
 }
 
 FLUIDYMATION_AVX2 inline void add(std::int32_t* sum, __m128i color) {

@@ -1,19 +1,21 @@
 // The inner loops in plain C++, for processors without AVX2 and as the reference of the others.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #include "synthesis/patch_kernels.h"
 #include "synthesis/sample_order.h"
+#include "synthesis/subpixels.h"
 
 namespace fluidymation {
 namespace {
 
 constexpr std::size_t kLanes = 8;
 constexpr std::size_t kChannelPairs = kLanes / 2;
-constexpr float kSubpixels = 65536.0F;  // fixed-point steps per pixel of a position
-constexpr int kSubpixelBits = 16;
 constexpr int kFractionMask = (1 << kSubpixelBits) - 1;
-constexpr int kFractionBits = 15;  // of an interpolation weight
 
 using Lanes = std::array<std::int16_t, kLanes>;
 
@@ -24,12 +26,14 @@ Lanes lanesOf(const Texel& texel) {
 }
 
 /// from + share (to - from), to the nearest step.
+std::int16_t mix(std::int16_t from, std::int16_t to, int share) {
+  const int step = ((to - from) * share + (1 << (kShareBits - 1))) >> kShareBits;
+  return static_cast<std::int16_t>(from + step);
+}
+
 Lanes mix(const Lanes& from, const Lanes& to, int share) {
   Lanes mixed;
-  for (std::size_t c = 0; c < kLanes; ++c) {
-    const int step = ((to[c] - from[c]) * share + (1 << (kFractionBits - 1))) >> kFractionBits;
-    mixed[c] = static_cast<std::int16_t>(from[c] + step);
-  }
+  for (std::size_t c = 0; c < kLanes; ++c) mixed[c] = mix(from[c], to[c], share);
   return mixed;
 }
 
@@ -45,8 +49,8 @@ Lanes sample(const SourceWindow& source, std::size_t i) {
                      static_cast<std::ptrdiff_t>(y >> kSubpixelBits) * source.stride +
                      (x >> kSubpixelBits);
   const Texel* bottom = top + source.stride;
-  const int right = (x & kFractionMask) >> (kSubpixelBits - kFractionBits);
-  const int down = (y & kFractionMask) >> (kSubpixelBits - kFractionBits);
+  const int right = (x & kFractionMask) >> (kSubpixelBits - kShareBits);
+  const int down = (y & kFractionMask) >> (kSubpixelBits - kShareBits);
   return mix(mix(lanesOf(top[0]), lanesOf(bottom[0]), down),
              mix(lanesOf(top[1]), lanesOf(bottom[1]), down), right);
 }
@@ -108,12 +112,6 @@ std::array<float, 2> bothDistances(const TargetWindow& window, const Texel* upri
   return totals;
 }
 
-/// from + share (to - from), to the nearest step.
-std::int16_t mixLane(std::int16_t from, std::int16_t to, int share) {
-  const int step = ((to - from) * share + (1 << (kFractionBits - 1))) >> kFractionBits;
-  return static_cast<std::int16_t>(from + step);
-}
-
 void gather(const WindowSource& source, const WindowWeights& weights, TargetWindow& window) {
   int colored = 0;
   int remembered = 0;
@@ -133,7 +131,7 @@ void gather(const WindowSource& source, const WindowWeights& weights, TargetWind
     FixedLab color = t;
     if (p.exists() && !t.exists()) color = p;
     if (p.exists() && t.exists()) {
-      color = {mixLane(t.l, p.l, share), mixLane(t.a, p.a, share), mixLane(t.b, p.b, share), 1};
+      color = {mix(t.l, p.l, share), mix(t.a, p.a, share), mix(t.b, p.b, share), 1};
       const int l = p.l - t.l;
       const int a = p.a - t.a;
       const int b = p.b - t.b;
@@ -146,8 +144,8 @@ void gather(const WindowSource& source, const WindowWeights& weights, TargetWind
     const float both = (t.exists() ? colorWeight : 0.0F) + (p.exists() ? previousWeight : 0.0F);
     window.weight[i] = {both, both, weights.dist, weights.flow};
   }
-  const float share1 = static_cast<float>(share) * (1.0F / 32768.0F);
-  window.constant = colorWeight * share1 * ((apart[0] + apart[2]) + (apart[1] + apart[3]));
+  window.constant = colorWeight * (static_cast<float>(share) * kShareStep) *
+                    ((apart[0] + apart[2]) + (apart[1] + apart[3]));
 }
 
 void addColors(const SourceWindow& source, const WindowSums& sums) {
@@ -165,8 +163,9 @@ std::array<float, 4> weightedGrid(const Texel* first, std::ptrdiff_t stride, std
     std::array<float, 4> along{};
     for (std::size_t i = 0; i < taps; ++i) {
       const Lanes texel = lanesOf(first[i]);
-      for (std::size_t c = 0; c < 4; ++c)
+      for (std::size_t c = 0; c < 4; ++c) {
         along[c] += columnWeights[i] * static_cast<float>(texel[c]);
+      }
     }
     for (std::size_t c = 0; c < 4; ++c) sum[c] += rowWeights[j] * along[c];
   }

@@ -38,9 +38,38 @@ std::optional<Match> nearestLegal(const ExemplarLevel& exemplar, const Match& ma
   return best;
 }
 
-OccurrenceMap emptyOccurrence(const SearchProblem& problem) {
-  return {problem.exemplar.size(), problem.exemplar.frameCount(), problem.options.occRadiusFrames};
-}
+/// The memory that a problem brings along, or else some of its own.
+class Memory {
+ public:
+  explicit Memory(const SearchProblem& problem)
+      : problem_(problem), memory_(problem.memory != nullptr ? *problem.memory : own_) {}
+
+  /// The map of the matches of `nnf`.
+  const OccurrenceMap& occurrenceOf(const NearestNeighborField& nnf) {
+    if (!memory_.occurrence) memory_.occurrence.emplace(size(), frames(), radius());
+    memory_.occurrence->rebuild(nnf);
+    return *memory_.occurrence;
+  }
+
+  /// One scratch map per thread, all zero between tiles.
+  std::vector<UseChanges>& ownChanges(int threads) {
+    const auto wanted = static_cast<std::size_t>(threads);
+    memory_.ownChanges.reserve(wanted);
+    while (memory_.ownChanges.size() < wanted) {
+      memory_.ownChanges.emplace_back(size(), frames(), radius());
+    }
+    return memory_.ownChanges;
+  }
+
+ private:
+  [[nodiscard]] Size size() const { return problem_.exemplar.size(); }
+  [[nodiscard]] int frames() const { return problem_.exemplar.frameCount(); }
+  [[nodiscard]] int radius() const { return problem_.options.occRadiusFrames; }
+
+  const SearchProblem& problem_;
+  SearchMemory own_;
+  SearchMemory& memory_;
+};
 
 }  // namespace
 
@@ -80,8 +109,8 @@ void repair(const SearchProblem& problem, int pass, NearestNeighborField& nnf) {
 
 Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& weights,
                          const NearestNeighborField& nnf, const Image<float>* bounds) {
-  OccurrenceMap occurrence = emptyOccurrence(problem);
-  occurrence.rebuild(nnf);
+  Memory memory(problem);
+  const OccurrenceMap& occurrence = memory.occurrenceOf(nnf);
   const UniformityScale uniformity(problem);
   const PatchDistance distance(problem.exemplar, problem.target, weights);
   Image<float> errors(nnf.size(), kNever);
@@ -111,24 +140,19 @@ SearchStatistics findNearestNeighbors(const SearchProblem& problem, const Distan
   SearchStatistics statistics;
   if (tiles.empty()) return statistics;
   Image<float> errors(nnf.size(), kUnknown);
-  OccurrenceMap occurrence = emptyOccurrence(problem);
-  // One scratch map per thread that can have work, all zero between tiles.
+  Memory memory(problem);
+  const bool draws = candidates == Candidates::kAll;
+  // Only threads that can have work, and only those that draw, take changes of their own
   const int workers = std::min(threadLimit(), static_cast<int>(tiles.size()));
-  std::vector<UseChanges> ownChanges;
-  ownChanges.reserve(static_cast<std::size_t>(workers));
-  for (int w = 0; w < workers; ++w) {
-    ownChanges.emplace_back(problem.exemplar.size(), problem.exemplar.frameCount(),
-                            problem.options.occRadiusFrames);
-  }
+  std::vector<UseChanges>& ownChanges = memory.ownChanges(draws ? workers : 0);
   const std::vector<SearchBox> boxes = searchBoxes(problem);
   const bool focused = problem.options.searchEffort == SearchEffort::kWhereItChanges;
-  const bool draws = candidates == Candidates::kAll;
   const bool isFirst = changing == nullptr || changing->empty();
   Mask changed = isFirst ? Mask(nnf.size(), 1) : std::move(*changing);
 
   for (int i = 0; i < iterations; ++i) {
     const NearestNeighborField before = nnf.clone();
-    occurrence.rebuild(before);
+    const OccurrenceMap& occurrence = memory.occurrenceOf(before);
     const Mask changedBefore = std::exchange(changed, Mask(nnf.size()));
     SweepInputs inputs{problem,
                        distance,
@@ -148,7 +172,8 @@ SearchStatistics findNearestNeighbors(const SearchProblem& problem, const Distan
         static_cast<int>(tiles.size()), 1,
         [&](int t) {
           const auto tile = static_cast<std::size_t>(t);
-          UseChanges& own = ownChanges[static_cast<std::size_t>(threadIndex())];
+          UseChanges* const own =
+              draws ? &ownChanges[static_cast<std::size_t>(threadIndex())] : nullptr;
           ofTiles[tile] = sweepTile(inputs, tiles[tile], own, nnf, errors, changed);
         },
         workers);

@@ -26,10 +26,10 @@ using Float4 = float __attribute__((vector_size(16)));
 /// Weights of the two pixels round a point at `t` in [0, 1] between them.
 [[nodiscard]] inline std::array<float, 2> linearWeights(float t) { return {1.0F - t, t}; }
 
-/// L, a, b of one exemplar frame at a real position, CIELAB, and 1: the weighted mean of kTaps x
-/// kTaps pixels, those of the left upper one at `first` from the position's own pixel. The position
-/// is clamped to the image, whose edge repeats. `weightsAt(t)` are the weights along one axis for a
-/// position t in [0, 1) behind a pixel.
+/// L, a, b of one exemplar frame at a real position, CIELAB; the fourth lane means nothing. The
+/// weighted mean of kTaps x kTaps pixels, those of the left upper one at `first` from the
+/// position's own pixel. The position is clamped to the image, whose edge repeats. `weightsAt(t)`
+/// are the weights along one axis for a position t in [0, 1) behind a pixel.
 template <std::size_t kTaps, typename WeightsAt>
 [[nodiscard]] inline Float4 sampleSeparably(const ExemplarLevel& exemplar, int frame, float x,
                                             float y, int first, const WeightsAt& weightsAt) {
@@ -42,10 +42,10 @@ template <std::size_t kTaps, typename WeightsAt>
   const std::array<float, kTaps> wx = weightsAt(cx - static_cast<float>(x0));
   const std::array<float, kTaps> wy = weightsAt(cy - static_cast<float>(y0));
   const std::array<float, 4> sum =
-      bestKernels().weightedGrid(&exemplar.texel(x0 + first, y0 + first, frame), exemplar.stride(),
-                                 kTaps, wx.data(), wy.data());
+      exemplar.kernels().weightedGrid(&exemplar.texel(x0 + first, y0 + first, frame),
+                                      exemplar.stride(), kTaps, wx.data(), wy.data());
   constexpr float kUnit = 1.0F / kColorSteps;
-  return Float4{kUnit * sum[0], kUnit * sum[1], kUnit * sum[2], sum[3]};
+  return kUnit * Float4{sum[0], sum[1], sum[2], sum[3]};
 }
 
 /// See `sampleSeparably`; bilinear.

@@ -83,6 +83,7 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
   for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
+  memory_.resize(expectedUse_.size());
 }
 
 Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
@@ -126,7 +127,7 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
 
 Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides,
                                        const NearestNeighborField& nnf) const {
-  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote).color;
+  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote);
 }
 
 Painting Synthesizer::painting() const {
@@ -139,9 +140,13 @@ Painting Synthesizer::painting() const {
 }
 
 SearchProblem Synthesizer::problemOf(const Work& work, int level, const TargetLevel& target) const {
-  return {exemplar_.level(level), expectedUse_[static_cast<std::size_t>(level - finestOptimized())],
-          target, options_,
-          Place{work.frame, level, {work.box.beginX >> level, work.box.beginY >> level}}};
+  const auto own = static_cast<std::size_t>(level - finestOptimized());
+  return {exemplar_.level(level),
+          expectedUse_[own],
+          target,
+          options_,
+          Place{work.frame, level, {work.box.beginX >> level, work.box.beginY >> level}},
+          &memory_[own]};
 }
 
 DistanceWeights Synthesizer::weights() const {

@@ -21,7 +21,7 @@ constexpr std::array<Step, 4> kBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 /// One sweep of PatchMatch over one tile.
 class TileSweep {
  public:
-  TileSweep(const SweepInputs& in, const Tile& tile, UseChanges& ownChanges,
+  TileSweep(const SweepInputs& in, const Tile& tile, UseChanges* ownChanges,
             NearestNeighborField& nnf, Image<float>& errors, Mask& changed)
       : in_(in),
         tile_(tile),
@@ -113,7 +113,7 @@ class TileSweep {
     const std::int32_t own =
         in_.occurrence.contribution(startX_, startY_, start_.frame, sx, sy, frame);
     const auto others = static_cast<float>(in_.occurrence.windowSum(sx, sy, frame) - own);
-    return scale_ * (in_.drawsAtRandom ? others + ownChanges_.windowSum(sx, sy, frame) : others);
+    return scale_ * (in_.drawsAtRandom ? others + ownChanges_->windowSum(sx, sy, frame) : others);
   }
 
   /// @param sx  nearest pixel of the candidate, in the image.
@@ -254,8 +254,8 @@ class TileSweep {
   void keepBest() {
     if (sameSource(best_, start_)) return;
     if (in_.drawsAtRandom) {
-      ownChanges_.add(start_, -1);
-      ownChanges_.add(best_, +1);
+      ownChanges_->add(start_, -1);
+      ownChanges_->add(best_, +1);
     }
     changed_(x_, y_) = 1;
     ++changeCount_;
@@ -264,15 +264,15 @@ class TileSweep {
   }
 
   void takeBackChanges() {
-    if (ownChanges_.isCheaperToClear(2 * changeCount_)) {
-      ownChanges_.clear();
+    if (ownChanges_->isCheaperToClear(2 * changeCount_)) {
+      ownChanges_->clear();
       return;
     }
     for (int y = tile_.top; y < tile_.bottom; ++y) {
       for (int x = tile_.left; x < tile_.right; ++x) {
         if (changed_(x, y) == 0) continue;
-        ownChanges_.add(in_.before(x, y), +1);
-        ownChanges_.add(nnf_(x, y), -1);
+        ownChanges_->add(in_.before(x, y), +1);
+        ownChanges_->add(nnf_(x, y), -1);
       }
     }
   }
@@ -284,7 +284,7 @@ class TileSweep {
 
   const SweepInputs& in_;
   Tile tile_;
-  UseChanges& ownChanges_;
+  UseChanges* ownChanges_;
   NearestNeighborField& nnf_;
   Image<float>& errors_;
   Mask& changed_;
@@ -345,7 +345,7 @@ std::vector<SearchBox> searchBoxes(const SearchProblem& problem) {
   return boxes;
 }
 
-SearchStatistics sweepTile(const SweepInputs& in, const Tile& tile, UseChanges& ownChanges,
+SearchStatistics sweepTile(const SweepInputs& in, const Tile& tile, UseChanges* ownChanges,
                            NearestNeighborField& nnf, Image<float>& errors, Mask& changed) {
   return TileSweep(in, tile, ownChanges, nnf, errors, changed).run();
 }

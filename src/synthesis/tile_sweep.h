@@ -69,14 +69,12 @@ struct SweepInputs {
 /// One sweep of PatchMatch over one tile: visits every pixel once, in row order or, on odd passes,
 /// in the opposite order.
 /// @param ownChanges  scratch, all zero before and after: what the tile changes meanwhile. Without
-/// it
-///   all pixels of a small target flock to what few use, in every sweep anew; not so where nothing
-///   is drawn at random.
+///   it all pixels of a small target flock to what few use, in every sweep anew; not so where
+///   nothing is drawn at random, and there it is null.
 /// @param errors   patch distances, without uniformity term, of the matches in `nnf`, as far as
-/// they
-///   are known; kUnknown elsewhere.
+///   they are known; kUnknown elsewhere.
 /// @param changed  is set where the sweep changes the match; zero before.
-SearchStatistics sweepTile(const SweepInputs& in, const Tile& tile, UseChanges& ownChanges,
+SearchStatistics sweepTile(const SweepInputs& in, const Tile& tile, UseChanges* ownChanges,
                            NearestNeighborField& nnf, Image<float>& errors, Mask& changed);
 
 }  // namespace fluidymation

@@ -46,15 +46,15 @@ class BandSums {
   }
 
   /// Adds all windows that reach into the band.
-  void add(const ExemplarLevel& exemplar, const PatchKernels& kernels,
-           const NearestNeighborField& nnf) {
+  void add(const ExemplarLevel& exemplar, const NearestNeighborField& nnf) {
     const int first = std::max(top_ - kPatchRadius, 0);
     const int end = std::min(bottom_ + kPatchRadius, nnf.height());
     for (int y = first; y < end; ++y) {
       for (int x = 0; x < nnf.width(); ++x) {
         if (!nnf(x, y).exists()) continue;
         const Match match = inImage(nnf(x, y), exemplar.size());
-        kernels.addColors(sourceWindow(exemplar, match), {at(x, y).data(), offsets_.data()});
+        exemplar.kernels().addColors(sourceWindow(exemplar, match),
+                                     {at(x, y).data(), offsets_.data()});
       }
     }
   }
@@ -124,10 +124,10 @@ struct Voter {
 /// Averages over the windows that cover a pixel. `read(frame, x, y)` reads the exemplar; where none
 /// of the voters has a match, the nearest windows count alike.
 template <typename Reader>
-VotedPicture average(const NearestNeighborField& nnf, const Mask& wanted, const Reader& read,
-                     const std::vector<Voter>& voters) {
+Image<Lab> average(const NearestNeighborField& nnf, const Mask& wanted, const Reader& read,
+                   const std::vector<Voter>& voters) {
   const Size size = nnf.size();
-  VotedPicture picture{Image<Lab>(size), Mask(size)};
+  Image<Lab> picture(size);
   forEachRow(size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       if (wanted(x, y) == 0) continue;
@@ -159,47 +159,11 @@ VotedPicture average(const NearestNeighborField& nnf, const Mask& wanted, const 
       }
       if (weights == 0.0F) continue;
       const float share = 1.0F / weights;
-      picture.color(x, y) = {share * sum[0], share * sum[1], share * sum[2]};
-      picture.exists(x, y) = 1;
+      picture(x, y) = {share * sum[0], share * sum[1], share * sum[2]};
     }
   });
   return picture;
 }
-
-/// Reads one exemplar level between its pixels.
-class BilinearReader {
- public:
-  explicit BilinearReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
-  [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleBilinear(exemplar_, frame, x, y);
-  }
-
- private:
-  const ExemplarLevel& exemplar_;
-};
-
-class CubicReader {
- public:
-  explicit CubicReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
-  [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleCubic(exemplar_, frame, x, y);
-  }
-
- private:
-  const ExemplarLevel& exemplar_;
-};
-
-class LanczosReader {
- public:
-  explicit LanczosReader(const ExemplarLevel& exemplar) : exemplar_(exemplar) {}
-  [[nodiscard]] Float4 operator()(int frame, float x, float y) const {
-    return sampleLanczos(kernel_, exemplar_, frame, x, y);
-  }
-
- private:
-  const ExemplarLevel& exemplar_;
-  LanczosKernel kernel_;
-};
 
 /// All windows with a Gaussian weight worth counting; with sigma 0 all alike.
 std::vector<Voter> votersOf(float sigmaPx) {
@@ -223,28 +187,35 @@ std::vector<Voter> votersOf(float sigmaPx) {
 Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
                      const NearestNeighborField& nnf) {
   Image<FixedLab> picture(nnf.size());
-  const PatchKernels& kernels = bestKernels();
   const int bands = (nnf.height() + kBandRows - 1) / kBandRows;
   parallelFor(bands, 1, [&](int band) {
     BandSums sums(nnf.width(), band * kBandRows, std::min((band + 1) * kBandRows, nnf.height()));
-    sums.add(exemplar, kernels, nnf);
+    sums.add(exemplar, nnf);
     sums.average(segment, picture);
   });
   return picture;
 }
 
-VotedPicture paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
-                         const NearestNeighborField& nnf, const VoteOptions& options) {
+Image<Lab> paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
+                       const NearestNeighborField& nnf, const VoteOptions& options) {
   const std::vector<Voter> voters = votersOf(options.sigmaPx);
+  const auto averaged = [&](const auto& read) {
+    return average(
+        nnf, wanted, [&](int frame, float x, float y) { return read(exemplar, frame, x, y); },
+        voters);
+  };
   switch (options.interpolation) {
     case Interpolation::kBilinear:
-      return average(nnf, wanted, BilinearReader(exemplar), voters);
+      return averaged(sampleBilinear);
     case Interpolation::kCubic:
-      return average(nnf, wanted, CubicReader(exemplar), voters);
+      return averaged(sampleCubic);
     case Interpolation::kLanczos:
       break;
   }
-  return average(nnf, wanted, LanczosReader(exemplar), voters);
+  const LanczosKernel kernel;
+  return averaged([&kernel](const ExemplarLevel& level, int frame, float x, float y) {
+    return sampleLanczos(kernel, level, frame, x, y);
+  });
 }
 
 }  // namespace fluidymation

@@ -3,11 +3,11 @@
 #include <cassert>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "bench/stage_timer.h"
 #include "fluidymation/core/color.h"
 #include "fluidymation/guides/guide_stream.h"
-#include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/frame_writer.h"
@@ -80,11 +80,13 @@ class FrameMaker {
   Mask make() {
     GuideFrame guides = clock_.time(TimedStage::kGuides, [&] { return guides_.next(); });
     const Image<Lab> picture = synthesizer_.paint(guides);
-    const Image<Rgba8> rgba =
-        clock_.time(TimedStage::kRgba, [&] { return toOutput(picture, guides, encoder_); });
-    const std::vector<std::uint8_t> file =
-        clock_.time(TimedStage::kPng, [&] { return encodePng(rgba); });
-    clock_.time(TimedStage::kFile, [&] { writeAtomically(path_, file); });
+    const Stopwatch writing;
+    encoding_ = {};
+    writer_.write(path_, picture, guides);
+    Cost file = writing.elapsed();
+    file -= encoding_;
+    clock_.add({TimedStage::kPng, kNoLevel}, encoding_);
+    clock_.add({TimedStage::kFile, kNoLevel}, file);
     return std::move(guides.mask);
   }
 
@@ -92,7 +94,13 @@ class FrameMaker {
   StageClock clock_;
   StageTimer timer_;
   Synthesizer synthesizer_;
-  SrgbByteEncoder encoder_;
+  Cost encoding_;  ///< of the frame made last
+  FrameWriter writer_{[this](const Image<Rgba8>& pixels) {
+    const Stopwatch encoding;
+    std::vector<std::uint8_t> file = encodePng(pixels);
+    encoding_ = encoding.elapsed();
+    return file;
+  }};
   test::TemporaryFolder folder_;
   std::string path_;
 };

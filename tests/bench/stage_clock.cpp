@@ -16,8 +16,8 @@ const std::vector<std::pair<TimedStage, std::string>>& names() {
       {TimedStage::kUpscale, "upscale"}, {TimedStage::kMerge, "merge"},
       {TimedStage::kRepair, "repair"},   {TimedStage::kSearch, "search"},
       {TimedStage::kVote, "vote"},       {TimedStage::kPaint, "paint"},
-      {TimedStage::kRgba, "rgba"},       {TimedStage::kPng, "png"},
-      {TimedStage::kFile, "file"},       {TimedStage::kOther, "other"},
+      {TimedStage::kPng, "png"},         {TimedStage::kFile, "file"},
+      {TimedStage::kOther, "other"},
   };
   return table;
 }

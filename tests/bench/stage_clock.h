@@ -24,9 +24,8 @@ enum class TimedStage {
   kSearch,
   kVote,
   kPaint,
-  kRgba,   ///< CIELAB to the pixels of a file
   kPng,    ///< encoding
-  kFile,   ///< writing and flushing
+  kFile,   ///< the colours of a file, writing and flushing
   kOther,  ///< what is left of a frame
 };
 

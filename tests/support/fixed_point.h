@@ -43,6 +43,33 @@ struct Expected {
   }
 };
 
+/// One channel of the exemplar's pixel at (x, y) in the image, in its own unit.
+[[nodiscard]] inline float channelAt(const ExemplarLevel& level, int x, int y, int k,
+                                     Channel channel) {
+  const Texel& there = level.texel(x, y, k);
+  switch (channel) {
+    case kLightness:
+      return there.color.lab().l;
+    case kGreenRed:
+      return there.color.lab().a;
+    case kBlueYellow:
+      return there.color.lab().b;
+    case kEdge:
+      return static_cast<float>(there.guides.edge) / kEdgeSteps;
+    case kExtForward:
+      return static_cast<float>(there.guides.extForward) / level.extentSteps();
+    case kExtBackward:
+      return static_cast<float>(there.guides.extBackward) / level.extentSteps();
+    case kDirectionX:
+      return level.direction(x, y, k).x;
+    case kDirectionY:
+      return level.direction(x, y, k).y;
+    case kChannelCount:
+      break;
+  }
+  return 0.0F;
+}
+
 /// One channel of the exemplar between its pixels in double precision: bilinear, the edge repeats.
 [[nodiscard]] inline double slowSample(const ExemplarLevel& level, int frame, double x, double y,
                                        Channel channel) {
@@ -55,7 +82,7 @@ struct Expected {
   const double fx = x - x0;
   const double fy = y - y0;
   const auto at = [&](int px, int py) {
-    return static_cast<double>(level.value(px, py, frame, channel));
+    return static_cast<double>(channelAt(level, px, py, frame, channel));
   };
   return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) +
          fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));

@@ -67,9 +67,22 @@ class GuideStream {
   /// Gaussian over the frames around that have the pixel in their masks.
   void averageFlow(int begin, int end, float sigmaFrames);
 
+  /// Whether a frame has the shape of the one before it.
+  [[nodiscard]] bool repeatsShape(int frame) const;
+  /// Fills in what the shape alone says: mask, distance, coverage and blurred mask.
+  void addShape(const PackedShape& shape, GuideFrame& guides);
+
+  /// Of a shape that the next frame repeats.
+  struct HeldShape {
+    Image<float> distance;
+    Image<float> coverage;
+    Image<float> shape;
+  };
+
   std::optional<float> shapeBlurRadiusPx_;
   std::vector<StoredFrame> frames_;
   int nextFrame_ = 0;
+  HeldShape held_;
   std::vector<Vec2> accForward_;  ///< of the mask pixels of the frame given last
   std::vector<Vec2> direction_;   ///< likewise
 };

@@ -35,6 +35,8 @@ class Outline {
 
   [[nodiscard]] std::size_t crossingCount() const { return shares_.size(); }
 
+  friend bool operator==(const Outline& a, const Outline& b) { return a.shares_ == b.shares_; }
+
  private:
   std::vector<std::uint16_t> shares_;
 };

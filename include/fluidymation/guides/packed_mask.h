@@ -17,6 +17,10 @@ class PackedMask {
   PackedMask() = default;
   explicit PackedMask(const Mask& mask);
 
+  friend bool operator==(const PackedMask& a, const PackedMask& b) {
+    return a.size_ == b.size_ && a.bits_ == b.bits_;
+  }
+
   [[nodiscard]] Size size() const { return size_; }
   [[nodiscard]] std::size_t count() const;  ///< pixels inside
   /// Pixels inside both. @param other  of the same size (asserted).

@@ -23,8 +23,13 @@ class PackedShape {
   explicit PackedShape(OutlinedMask shape)
       : mask_(shape.mask), soft_(true), outline_(std::move(shape.outline)) {}
 
+  friend bool operator==(const PackedShape& a, const PackedShape& b) {
+    return a.soft_ == b.soft_ && a.mask_ == b.mask_ && a.outline_ == b.outline_;
+  }
+
   [[nodiscard]] Size size() const { return mask_.size(); }
   [[nodiscard]] const PackedMask& packedMask() const { return mask_; }
+  [[nodiscard]] std::size_t crossingCount() const { return outline_.crossingCount(); }
   [[nodiscard]] Mask mask() const { return mask_.unpack(); }
 
   /// `continuousDistance` of a hard shape, `outlineDistance` of a soft one, within a box that holds

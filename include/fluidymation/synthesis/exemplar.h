@@ -16,6 +16,8 @@
 
 namespace fluidymation {
 
+struct PatchKernels;
+
 /// All frames of the exemplar on one pyramid level, with everything the search reads of a pixel
 /// side by side. Volumes are stored frame by frame, row-major.
 class ExemplarLevel {
@@ -25,6 +27,11 @@ class ExemplarLevel {
   /// Fill frame k, in any order. `color` and `guides` have this level's size.
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideLevel& guides);
+
+  /// The inner loops that read the level: those of the fastest instruction set of this processor,
+  /// unless others are wanted. All give the same bytes.
+  [[nodiscard]] const PatchKernels& kernels() const { return *kernels_; }
+  void use(const PatchKernels& kernels) { kernels_ = &kernels; }
 
   /// Completes the level when all frames are filled: scales the extents, lists the pixels of each
   /// segment.
@@ -62,8 +69,6 @@ class ExemplarLevel {
     const FixedDirection d = directions_[offset(x, y, k)];
     return {kUnit * static_cast<float>(d.x), kUnit * static_cast<float>(d.y)};
   }
-  /// One channel of the pixel at (x, y) in the image, in its own unit.
-  [[nodiscard]] float value(int x, int y, int k, Channel channel) const;
   /// Of the extents' fixed point.
   [[nodiscard]] float extentSteps() const { return extentSteps_; }
 
@@ -91,8 +96,9 @@ class ExemplarLevel {
   /// Distance to the edge as the temporal modulation compares it: clamped at the border width, or
   /// unclamped and then infinite in frames without an edge.
   [[nodiscard]] float modulationDistancePx(int x, int y, int k) const {
-    return distancesPx_.empty() ? value(x, y, k, kEdge) / kEdgeScale * borderWidthPx_
-                                : distancesPx_[offset(x, y, k)];
+    if (!distancesPx_.empty()) return distancesPx_[offset(x, y, k)];
+    const float edge = static_cast<float>(texel(x, y, k).guides.edge) / kEdgeSteps;
+    return edge / kEdgeScale * borderWidthPx_;
   }
 
   /// Volume indices of the pixels that may serve a target pixel of this segment; never empty
@@ -134,6 +140,7 @@ class ExemplarLevel {
   /// Whether a match has to stay in its segment.
   [[nodiscard]] bool constrained() const { return segmented_ && rules_.hardSegments; }
 
+  const PatchKernels* kernels_;
   Size size_;
   int frameCount_;
   float borderWidthPx_;
@@ -164,6 +171,9 @@ class Exemplar {
   /// Where the guides hold ages, in all frames or in none, they are compared in the place of the
   /// extents, and the target's guides have to hold them too; `unit` then says nothing.
   void finish(ExtentUnit unit = ExtentUnit::kPixels);
+
+  /// See `ExemplarLevel::use`; of all levels.
+  void use(const PatchKernels& kernels);
 
   /// How the target's extents have to be scaled to compare with this exemplar's.
   [[nodiscard]] const ExtentScale& extentScale() const { return extentScale_; }

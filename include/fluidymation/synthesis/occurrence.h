@@ -25,15 +25,10 @@ class OccurrenceMap {
  public:
   OccurrenceMap(Size size, int frameCount, int radiusFrames);
 
-  /// Counts the matches of `nnf` anew. Runs in parallel.
+  /// Counts the matches of `nnf`, at their nearest pixels, clamped to the image, in the place of
+  /// those counted before. Takes time in proportion to the places that any of them reach. Runs in
+  /// parallel.
   void rebuild(const NearestNeighborField& nnf);
-
-  /// Counts one match more or less: `delta` is +1 or -1. Matches are counted at their nearest
-  /// pixel, clamped to the image.
-  void add(const Match& match, int delta);
-
-  /// Sets all counts to zero.
-  void clear();
 
   /// Sum of Omega over the n x n window centred on (x, y) of frame k: n^2 Omega(window).
   [[nodiscard]] std::int32_t windowSum(int x, int y, int k) const { return sums_[index(x, y, k)]; }
@@ -42,10 +37,8 @@ class OccurrenceMap {
   /// The same at the nearest pixel of a match, clamped to the image.
   [[nodiscard]] std::int32_t windowSum(const Match& match) const;
 
-  /// What one use at `used` adds to the window sum at `centre`, both at their nearest pixels: n^2
-  /// at its own place, less where either window is cut by the image, 0 where they do not meet.
-  [[nodiscard]] std::int32_t contribution(const Match& used, const Match& centre) const;
-  /// The same for places in the image.
+  /// What one use at `used` adds to the window sum at (x, y) of `frame`: n^2 at its own place, less
+  /// where either window is cut by the image, 0 where they do not meet. Places in the image.
   [[nodiscard]] std::int32_t contribution(int usedX, int usedY, int usedFrame, int x, int y,
                                           int frame) const;
 
@@ -61,13 +54,39 @@ class OccurrenceMap {
                static_cast<std::size_t>(frameCount_) +
            static_cast<std::size_t>(k);
   }
-  /// Turns counts of matches at their own places into window sums.
+  [[nodiscard]] std::size_t usedIndex(int slab, int y, int block) const {
+    return (static_cast<std::size_t>(slab) * static_cast<std::size_t>(size_.height) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(blocks_) +
+           static_cast<std::size_t>(block);
+  }
+
+  /// Sets all sums to zero.
+  void clear();
+  /// Counts one use in all frames that its box reaches, at its own pixel.
+  void use(int x, int y, int frame);
+  /// Turns these counts into window sums.
   void filter();
-  void spreadOverFrames(int y);
+  void filter(int slab);
+
+  /// Columns and rows of some frames that may hold anything but zeros.
+  struct Region {
+    int left = 0;
+    int top = 0;
+    int right = 0;   ///< exclusive
+    int bottom = 0;  ///< exclusive
+    int firstFrame = 0;
+    int frames = 0;
+  };
 
   Size size_;
   int frameCount_;
   int radiusFrames_;
+  int slabs_;                       ///< of kSlabFrames frames
+  int blocks_;                      ///< of kBlockColumns columns, in a row
+  std::vector<std::uint8_t> used_;  ///< of each block of each row and slab: whether it is, until
+                                    ///< the filter has run
+  std::vector<Region> filtered_;    ///< of all slabs
   std::vector<std::int32_t> sums_;  ///< frames side by side: filters run along contiguous vectors
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/exemplar.h"
@@ -11,6 +13,14 @@
 
 namespace fluidymation {
 
+/// Memory that the searches of one level hand on to each other: it is as large as the exemplar, and
+/// to clear what was used of it costs less than to make it anew. Says nothing that shows in a
+/// result.
+struct SearchMemory {
+  std::optional<OccurrenceMap> occurrence;
+  std::vector<UseChanges> ownChanges;  ///< of each thread; all zero
+};
+
 /// What a search works on: one level of one frame.
 struct SearchProblem {
   const ExemplarLevel& exemplar;
@@ -18,6 +28,7 @@ struct SearchProblem {
   const TargetLevel& target;
   const SynthesisOptions& options;
   Place place;
+  SearchMemory* memory = nullptr;  ///< of this exemplar and radius, if given
 };
 
 /// Draws a match for a target pixel at random from its segment, turned so that the flows align

@@ -16,7 +16,6 @@ enum class Stage {
   kSearch,
   kPaint,  ///< the vote that is painted
 };
-inline constexpr int kStageCount = 9;
 
 /// Is told, in the painting thread, what a Synthesizer does.
 class StageObserver {

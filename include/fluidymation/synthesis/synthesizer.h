@@ -125,7 +125,8 @@ class Synthesizer {
   const Exemplar& exemplar_;
   SynthesisOptions options_;
   StageObserver* observer_;
-  std::vector<ExpectedUse> expectedUse_;  ///< from `finestOptimized` on
+  std::vector<ExpectedUse> expectedUse_;      ///< from `finestOptimized` on
+  mutable std::vector<SearchMemory> memory_;  ///< likewise; scratch
 
   // Of the frame painted last, as far as it lies in `box_`, a box round its mask: all other pixels
   // are left out of all work.

@@ -8,11 +8,6 @@
 
 namespace fluidymation {
 
-struct VotedPicture {
-  Image<Lab> color;
-  Mask exists;  ///< wanted pixels that at least one window covers
-};
-
 /// The voting step (thesis §2.1.2): every pixel q inside becomes the mean, over the windows that
 /// cover it, of their source pixel at q: (x, y)_n + R_-theta_n (q - n), bilinear. Windows without a
 /// match do not vote. Colours are averaged in CIELAB, the space in which they are compared, in
@@ -26,9 +21,10 @@ struct VotedPicture {
 /// agree on; weighting a window by the distance of its centre and reading between pixels with a
 /// sharp kernel keeps more of the medium's detail (docs/quality.md). Where a sigma is so small that
 /// no window that covers a pixel has a weight, its nearest windows count.
+/// @return  black where it is not wanted or no window covers it.
 /// @param wanted  nonzero where the picture is wanted: a pixel next to the mask, which the outline
 ///   cuts, is seen by the windows of its neighbours.
-[[nodiscard]] VotedPicture paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
-                                       const NearestNeighborField& nnf, const VoteOptions& options);
+[[nodiscard]] Image<Lab> paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
+                                     const NearestNeighborField& nnf, const VoteOptions& options);
 
 }  // namespace fluidymation

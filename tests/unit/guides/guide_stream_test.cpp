@@ -2,10 +2,15 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
+#include "fluidymation/guides/direction.h"
+#include "fluidymation/guides/mask.h"
+#include "fluidymation/guides/packed_shape.h"
 #include "support/comparison.h"
 #include "support/shapes.h"
 
@@ -315,6 +320,61 @@ TEST(GuideStream, TheBlurredMaskComesWhereItIsAskedFor) {
   const std::vector<GuideFrame> frames = test::guidesWith(masks, options);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(test::nearEverywhere(blurredMask(masks[i], 9.0F), frames[i].shape, 0.0F));
+  }
+}
+
+/// A disc that moves, rests, moves again and rests: coverage of each frame.
+std::vector<Image<float>> restingDisc(bool soft) {
+  std::vector<Image<float>> frames;
+  float x = 20.0F;
+  for (int i = 0; i < 24; ++i) {
+    const bool moves = i < 4 || (i >= 12 && i < 15);
+    if (moves) x += 1.3F;
+    const Image<float> disc = test::softDisc({60, 44}, {x, 21.0F}, 12.4F);
+    frames.push_back(soft ? test::eightBit(disc)
+                          : InputMask(InputMask(disc.clone(), true).cut()).coverage);
+  }
+  return frames;
+}
+
+TEST(GuideStream, AHoldHasTheGuidesThatComputingThemAnewGives) {
+  for (const bool soft : {false, true}) {
+    SCOPED_TRACE(soft ? "soft" : "hard");
+    const std::vector<Image<float>> frames = restingDisc(soft);
+    const auto frameCount = static_cast<int>(frames.size());
+    GuideOptions options;
+    options.mask.blurSigmaPx = 1.0F;
+    options.timeBlurSigmaFrames = 0.5F;
+    options.shapeBlurRadiusPx = 6.0F;
+    const auto input = [&](int i) {
+      return InputMask(frames[static_cast<std::size_t>(i)].clone(), soft);
+    };
+    GuideStream stream(frameCount, input, options);
+    GuideFrame before;
+    int still = 0;
+    for (int i = 0; i < frameCount; ++i) {
+      SCOPED_TRACE(i);
+      GuideFrame frame = stream.next();
+      GuideFrame anew;
+      const std::vector<PackedShape> alone = readShapes(
+          1, [&](int) { return input(i); }, options.mask);
+      alone.front().addTo(anew);
+      EXPECT_TRUE(test::equalEverywhere(anew.mask, frame.mask));
+      EXPECT_TRUE(test::nearEverywhere(anew.distance, frame.distance, 0.0F));
+      EXPECT_TRUE(test::nearEverywhere(anew.coverage, frame.coverage, 0.0F));
+      EXPECT_TRUE(test::nearEverywhere(blurredMask(anew.mask, *options.shapeBlurRadiusPx),
+                                       frame.shape, 0.0F));
+      const DirectionField direction =
+          flowDirection(anew.mask, frame.flow, anew.distance, before.direction.clone());
+      EXPECT_TRUE(test::nearEverywhere(direction.direction, frame.direction, 0.0F));
+      if (largestLength(frame.flow) == 0.0F) {
+        ++still;
+        EXPECT_TRUE(test::nearEverywhere(before.accForward, frame.accForward, 0.0F));
+        EXPECT_TRUE(test::nearEverywhere(before.accBackward, frame.accBackward, 0.0F));
+      }
+      before = std::move(frame);
+    }
+    EXPECT_GE(still, 8);
   }
 }
 

@@ -84,5 +84,30 @@ TEST(ShapeChanges, AskForNoShapeBeforeTheKernelReachesItAndForEachOnce) {
   EXPECT_EQ(asked, all);
 }
 
+TEST(ShapeChanges, AreTheSameWhereARepeatedShapeIsNotAskedForAgain) {
+  const auto disc = [](int frame) { return frame < 3 ? frame : frame < 7 ? 3 : frame; };
+  const auto held = [&](int frame) { return shapeOf(disc(frame)); };
+  ShapeChanges asking(kFrames, 0.5F, held);
+  std::vector<int> asked;
+  ShapeChanges keeping(
+      kFrames, 0.5F,
+      [&](int frame) {
+        asked.push_back(frame);
+        return held(frame);
+      },
+      [&](int frame) { return disc(frame) == disc(frame - 1); });
+  for (int frame = 0; frame < kFrames; ++frame) {
+    SCOPED_TRACE(frame);
+    const ShapeChange expected = asking.at(frame);
+    const ShapeChange kept = keeping.at(frame);
+    EXPECT_EQ(kept.thicknesses, expected.thicknesses);
+    ASSERT_EQ(kept.fields.size(), expected.fields.size());
+    for (std::size_t s = 0; s < kept.fields.size(); ++s) {
+      EXPECT_TRUE(test::nearEverywhere(*expected.fields[s], *kept.fields[s], 0.0F)) << s;
+    }
+  }
+  EXPECT_EQ(asked, (std::vector<int>{0, 1, 2, 3, 7, 8}));
+}
+
 }  // namespace
 }  // namespace fluidymation

@@ -57,18 +57,23 @@ class Line {
       onWrite(frame);
       EXPECT_EQ(frame, written++);
     };
+    double toldSeconds = 0.0;
     FrameEvents events;
     events.begins = [this](int frame) {
       tell("begins ", frame);
       onBegin(frame);
     };
     events.painted = [this](int frame) { tell("painted ", frame); };
-    events.written = [this](int frame, double seconds) {
+    events.written = [this, &toldSeconds](int frame, double seconds) {
       EXPECT_GT(written.load(), frame) << "told of before it was written";
-      EXPECT_GE(seconds, 0.0);
+      toldSeconds += seconds;
       tell("written ", frame);
     };
+    const auto start = std::chrono::steady_clock::now();
     runFrames({0, frameCount}, stages, threads_, events);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    EXPECT_LE(toldSeconds, spent.count());
+    EXPECT_EQ(toldSeconds > 0.0, frameCount > 0);
   }
 
   /// What the caller was told, without "begins".

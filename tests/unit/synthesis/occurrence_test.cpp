@@ -60,22 +60,84 @@ TEST(Occurrence, WindowSumsFollowTheDefinition) {
   }
 }
 
-TEST(Occurrence, MapKeptUpToDateEqualsARebuiltOne) {
-  NearestNeighborField nnf = randomMatches(40, 6);
-  OccurrenceMap kept(kSize, kFrames, kRadius);
-  kept.rebuild(nnf);
-  const NearestNeighborField replacement = randomMatches(40, 7);
-  for (int i = 0; i < 40; i += 3) {
-    kept.add(nnf(i, 0), -1);
-    nnf(i, 0) = replacement(i, 0);
-    kept.add(nnf(i, 0), +1);
+/// A map of the whole volume by the definition, with nothing left out.
+class WholeVolume {
+ public:
+  WholeVolume(Size size, int frames, int radius, const NearestNeighborField& nnf)
+      : size_(size), uses_(static_cast<std::size_t>(size.width * size.height * frames)) {
+    for (const Match& m : nnf) {
+      if (!m.exists()) continue;
+      const int mx = std::clamp(m.nearestX(), 0, size.width - 1);
+      const int my = std::clamp(m.nearestY(), 0, size.height - 1);
+      for (int k = std::max(m.frame - radius, 0); k <= std::min(m.frame + radius, frames - 1);
+           ++k) {
+        forWindow(mx, my, [&](int x, int y) { ++uses_[at(x, y, k)]; });
+      }
+    }
   }
-  OccurrenceMap rebuilt(kSize, kFrames, kRadius);
-  rebuilt.rebuild(nnf);
-  for (int k = 0; k < kFrames; ++k) {
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
-        ASSERT_EQ(kept.windowSum(x, y, k), rebuilt.windowSum(x, y, k));
+
+  [[nodiscard]] std::int32_t windowSum(int x, int y, int k) const {
+    std::int32_t sum = 0;
+    forWindow(x, y, [&](int wx, int wy) { sum += uses_[at(wx, wy, k)]; });
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] std::size_t at(int x, int y, int k) const {
+    return static_cast<std::size_t>((k * size_.height + y) * size_.width + x);
+  }
+  template <typename Body>
+  void forWindow(int x, int y, const Body& body) const {
+    for (int wy = std::max(y - 2, 0); wy <= std::min(y + 2, size_.height - 1); ++wy) {
+      for (int wx = std::max(x - 2, 0); wx <= std::min(x + 2, size_.width - 1); ++wx) body(wx, wy);
+    }
+  }
+
+  Size size_;
+  std::vector<std::int32_t> uses_;
+};
+
+/// Matches in some clusters, and some pixels without any.
+NearestNeighborField clusteredMatches(Size size, int frames, int count, std::uint64_t seed) {
+  NearestNeighborField nnf(Size{count, 1});
+  Random random({seed, 0, 0, 0, 0, 0});
+  Match match;
+  for (int i = 0; i < count; ++i) {
+    if (i % 7 == 0) {
+      match = {static_cast<float>(random.uniform(-1, size.width)),
+               static_cast<float>(random.uniform(-1, size.height)), random.uniform(0, frames - 1),
+               Rotation{}};
+    }
+    match.x += 1.0F;
+    if (random.uniform(0, 5) != 0) nnf(i, 0) = match;
+  }
+  return nnf;
+}
+
+TEST(Occurrence, AMapThatCountsOneFieldAfterTheOtherIsThatOfTheWholeVolume) {
+  struct Volume {
+    Size size;
+    int frames;
+  };
+  // Sizes that blocks of columns and frames divide, and others; also ones that they exceed
+  for (const Volume& volume : {Volume{{64, 40}, 64}, Volume{{61, 23}, 75}, Volume{{9, 50}, 33},
+                               Volume{{3, 2}, 2}, Volume{{1, 1}, 1}}) {
+    for (const int radius : {0, 1, 10, 1000}) {
+      OccurrenceMap map(volume.size, volume.frames, radius);
+      std::uint64_t seed = 20;
+      for (const int count : {30, 0, 7, 400, 1}) {
+        const NearestNeighborField nnf =
+            clusteredMatches(volume.size, volume.frames, count, ++seed);
+        map.rebuild(nnf);
+        const WholeVolume whole(volume.size, volume.frames, radius, nnf);
+        for (int k = 0; k < volume.frames; ++k) {
+          for (int y = 0; y < volume.size.height; ++y) {
+            for (int x = 0; x < volume.size.width; ++x) {
+              ASSERT_EQ(map.windowSum(x, y, k), whole.windowSum(x, y, k))
+                  << x << ' ' << y << ' ' << k << " of " << count << ", radius " << radius;
+            }
+          }
+        }
       }
     }
   }
@@ -94,23 +156,30 @@ TEST(Occurrence, TheContributionOfAMatchIsWhatTheMapLosesWithIt) {
     for (int k = 0; k < kFrames; ++k) {
       for (int y = 0; y < kSize.height; ++y) {
         for (int x = 0; x < kSize.width; ++x) {
-          const Match there{static_cast<float>(x), static_cast<float>(y), k, Rotation{}};
-          ASSERT_EQ(with.contribution(own, there),
+          ASSERT_EQ(with.contribution(std::clamp(own.nearestX(), 0, kSize.width - 1),
+                                      std::clamp(own.nearestY(), 0, kSize.height - 1), own.frame, x,
+                                      y, k),
                     with.windowSum(x, y, k) - without.windowSum(x, y, k))
               << i << " at " << x << ' ' << y << ' ' << k;
         }
       }
     }
   }
-  const Match middle{5.0F, 4.0F, 3, Rotation{}};
-  EXPECT_EQ(with.contribution(middle, middle), kPatchArea);
-  const Match corner{0.0F, 0.0F, 3, Rotation{}};
-  EXPECT_EQ(with.contribution(corner, corner), (kPatchRadius + 1) * (kPatchRadius + 1));
+  EXPECT_EQ(with.contribution(5, 4, 3, 5, 4, 3), kPatchArea);
+  EXPECT_EQ(with.contribution(0, 0, 3, 0, 0, 3), (kPatchRadius + 1) * (kPatchRadius + 1));
+}
+
+/// The map of some matches.
+OccurrenceMap mapOf(Size size, int frames, int radius, const std::vector<Match>& matches) {
+  NearestNeighborField nnf(Size{static_cast<int>(matches.size()), 1});
+  std::copy(matches.begin(), matches.end(), nnf.begin());
+  OccurrenceMap map(size, frames, radius);
+  map.rebuild(nnf);
+  return map;
 }
 
 TEST(Occurrence, RadiusBeyondTheSequenceCoversAllFrames) {
-  OccurrenceMap map(kSize, kFrames, 1000);
-  map.add(Match{5.0F, 4.0F, 3, Rotation{}}, +1);
+  const OccurrenceMap map = mapOf(kSize, kFrames, 1000, {Match{5.0F, 4.0F, 3, Rotation{}}});
   for (int k = 0; k < kFrames; ++k) EXPECT_EQ(map.windowSum(5, 4, k), kPatchArea);
 }
 
@@ -167,13 +236,9 @@ TEST(UseChanges, AMatchIsCountedExactlyButNearTheEndsOfTheBox) {
       const Match used{9.2F, 3.7F, frame, Rotation{}};
       UseChanges changes(kSize, kManyFrames, radius);
       changes.add(used, +1);
-      OccurrenceMap map(kSize, kManyFrames, radius);
-      map.add(used, +1);
-      const OccurrenceMap everywhere = [&] {  // as if each box covered all frames
-        OccurrenceMap all(kSize, kManyFrames, kManyFrames);
-        all.add(used, +1);
-        return all;
-      }();
+      const OccurrenceMap map = mapOf(kSize, kManyFrames, radius, {used});
+      // As if each box covered all frames
+      const OccurrenceMap everywhere = mapOf(kSize, kManyFrames, kManyFrames, {used});
       expectSumsNear(
           kSize, kManyFrames, [&](int x, int y, int k) { return changes.windowSum(x, y, k); },
           [&](int x, int y, int k) { return map.windowSum(x, y, k); },
@@ -192,12 +257,12 @@ TEST(UseChanges, UsesInAllFramesAddUpToThoseOfTheMap) {
   for (const int radius : {3, 5, 10, 14}) {
     SCOPED_TRACE(radius);
     UseChanges changes(kSize, kManyFrames, radius);
-    OccurrenceMap map(kSize, kManyFrames, radius);
+    std::vector<Match> uses;
     for (int frame = 0; frame < kManyFrames; ++frame) {
-      const Match used{4.0F, 5.0F, frame, Rotation{}};
-      changes.add(used, +1);
-      map.add(used, +1);
+      uses.push_back({4.0F, 5.0F, frame, Rotation{}});
+      changes.add(uses.back(), +1);
     }
+    const OccurrenceMap map = mapOf(kSize, kManyFrames, radius, uses);
     expectSumsNear(
         kSize, kManyFrames, [&](int x, int y, int k) { return changes.windowSum(x, y, k); },
         [&](int x, int y, int k) { return map.windowSum(x, y, k); },
@@ -241,7 +306,6 @@ TEST(Occurrence, ExpectedUseIsTheMeanUnderUniformUse) {
   const TargetLevel target(finestLevel(disc.guides(2)), 5.0F);
   for (const Segment segment : {Segment::kBorder, Segment::kInterior}) {
     // Use every pixel of the segment once, and take the mean of what each of them then sees.
-    OccurrenceMap map(disc.size, disc.frameCount, 1);
     std::vector<Match> all;
     for (int k = 0; k < disc.frameCount; ++k) {
       for (int y = 0; y < disc.size.height; ++y) {
@@ -252,7 +316,7 @@ TEST(Occurrence, ExpectedUseIsTheMeanUnderUniformUse) {
         }
       }
     }
-    for (const Match& match : all) map.add(match, +1);
+    const OccurrenceMap map = mapOf(disc.size, disc.frameCount, 1, all);
     double mean = 0.0;
     for (const Match& match : all) mean += map.windowSum(match);
     mean /= static_cast<double>(all.size()) * kPatchArea;

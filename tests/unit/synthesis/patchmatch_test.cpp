@@ -13,51 +13,12 @@
 
 #include "fluidymation/core/random.h"
 #include "fluidymation/synthesis/vote.h"
+#include "patchmatch_fixture.h"
 #include "support/synthetic_scene.h"
+#include "synthesis/tile_sweep.h"
 
 namespace fluidymation {
 namespace {
-
-constexpr float kBorderWidthPx = 5.0F;
-
-/// A small search: the target is one frame of another disc with a texture of its own.
-class PatchMatchTest : public ::testing::Test {
- protected:
-  PatchMatchTest() { target_.picture = pictureFor(target_, 21); }
-
-  [[nodiscard]] static Image<FixedLab> pictureFor(const TargetLevel& target, std::uint64_t seed) {
-    return test::fixedPicture(test::randomTexture(target.size(), seed), target.segment);
-  }
-
-  [[nodiscard]] SearchProblem problem() const {
-    return {exemplar_.level(0), expectedUse_, target_, options_, Place{3, 1, {}}};
-  }
-
-  [[nodiscard]] NearestNeighborField randomField() const {
-    NearestNeighborField nnf(target_.size());
-    repair(problem(), -1, nnf);
-    return nnf;
-  }
-
-  [[nodiscard]] double energy(const NearestNeighborField& nnf) const {
-    const Image<float> errors = matchErrors(problem(), weights_, nnf);
-    double sum = 0.0;
-    for (int y = 0; y < errors.height(); ++y) {
-      for (int x = 0; x < errors.width(); ++x) {
-        if (target_.inside(x, y)) sum += errors(x, y);
-      }
-    }
-    return sum;
-  }
-
-  test::GrowingDisc sourceDisc_{Size{40, 36}, {20.0F, 18.0F}, 9.0F, 1.0F, 6};
-  test::GrowingDisc targetDisc_{Size{90, 80}, {45.0F, 40.0F}, 30.0F, 1.0F, 3};
-  Exemplar exemplar_ = test::discExemplar(sourceDisc_, 0, kBorderWidthPx, 20);
-  ExpectedUse expectedUse_{exemplar_.level(0), 10};
-  TargetLevel target_{finestLevel(targetDisc_.guides(1)), kBorderWidthPx};
-  SynthesisOptions options_;
-  DistanceWeights weights_{1.0F, 5.0F, 0.1F, 1.0F};
-};
 
 TEST_F(PatchMatchTest, EveryMatchIsLegal) {
   NearestNeighborField nnf = randomField();
@@ -265,6 +226,7 @@ TEST_F(PatchMatchTest, TheMatchesOfASmallTargetSettle) {
 }
 
 TEST_F(PatchMatchTest, SameBytesForAnyNumberOfThreads) {
+  ASSERT_GE(occupiedTiles(target_).size(), 4U);
   const int defaultThreads = omp_get_max_threads();
   NearestNeighborField reference;
   for (const int threads : {1, 2, 7}) {
@@ -304,8 +266,7 @@ TEST_F(PatchMatchTest, NeighboursAloneKeepEveryMatchLegalAndMakeNoPixelWorse) {
 }
 
 TEST_F(PatchMatchTest, NeighboursAloneGiveSameBytesForAnyNumberOfThreads) {
-  ASSERT_GT(targetDisc_.size.width, kTileSidePx);
-  ASSERT_GT(targetDisc_.size.height, kTileSidePx);
+  ASSERT_GE(occupiedTiles(target_).size(), 4U);
   const int defaultThreads = omp_get_max_threads();
   std::vector<NearestNeighborField> fields;
   for (const int threads : {1, 4}) {
@@ -316,168 +277,6 @@ TEST_F(PatchMatchTest, NeighboursAloneGiveSameBytesForAnyNumberOfThreads) {
   omp_set_num_threads(defaultThreads);
   EXPECT_EQ(std::memcmp(fields[0].data(), fields[1].data(), fields[0].pixelCount() * sizeof(Match)),
             0);
-}
-
-bool sameBytes(const NearestNeighborField& a, const NearestNeighborField& b) {
-  return std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Match)) == 0;
-}
-
-bool sameMatch(const Match& a, const Match& b) {
-  return a.x == b.x && a.y == b.y && a.frame == b.frame && a.rotation.cosine == b.rotation.cosine &&
-         a.rotation.sine == b.rotation.sine;
-}
-
-/// A target within one tile.
-class OneTileTest : public PatchMatchTest {
- protected:
-  OneTileTest() {
-    targetDisc_ = {Size{60, 56}, {30.0F, 28.0F}, 20.0F, 1.0F, 3};
-    target_ = TargetLevel(finestLevel(targetDisc_.guides(1)), kBorderWidthPx);
-    target_.picture = pictureFor(target_, 21);
-    options_.lambda = 0.0F;
-    options_.searchEffort = SearchEffort::kEverywhere;
-  }
-};
-
-TEST_F(OneTileTest, NotTryingAgainWhatHasLostChangesNothing) {
-  // Within one search a sweep leaves out neighbours' matches that were tried before; the first
-  // sweep of a search tries them all. The pictures being the same, so are the results, where
-  // uniformity does not change what a match costs.
-  ASSERT_LE(targetDisc_.size.width, kTileSidePx);
-  ASSERT_LE(targetDisc_.size.height, kTileSidePx);
-  constexpr int kSweeps = 8;
-  for (const Candidates candidates : {Candidates::kAll, Candidates::kNeighbors}) {
-    NearestNeighborField atOnce = randomField();
-    const SearchStatistics done =
-        findNearestNeighbors(problem(), weights_, kSweeps, 0, atOnce, candidates);
-    NearestNeighborField oneByOne = randomField();
-    SearchStatistics doneOneByOne;
-    for (int pass = 0; pass < kSweeps; ++pass) {
-      doneOneByOne += findNearestNeighbors(problem(), weights_, 1, pass, oneByOne, candidates);
-    }
-    EXPECT_TRUE(sameBytes(atOnce, oneByOne));
-    EXPECT_LT(done.distances, doneOneByOne.distances);
-  }
-}
-
-TEST_F(PatchMatchTest, NotTryingAgainWhatHasLostChangesNothingAcrossTiles) {
-  ASSERT_GT(targetDisc_.size.width, kTileSidePx);
-  ASSERT_GT(targetDisc_.size.height, kTileSidePx);
-  options_.lambda = 0.0F;
-  options_.searchEffort = SearchEffort::kEverywhere;
-  constexpr int kSweeps = 8;
-  NearestNeighborField atOnce = randomField();
-  findNearestNeighbors(problem(), weights_, kSweeps, 0, atOnce);
-  NearestNeighborField oneByOne = randomField();
-  for (int pass = 0; pass < kSweeps; ++pass) {
-    findNearestNeighbors(problem(), weights_, 1, pass, oneByOne);
-  }
-  EXPECT_TRUE(sameBytes(atOnce, oneByOne));
-}
-
-TEST_F(PatchMatchTest, LeavingSearchEffortAloneCostsLessAndLosesLittle) {
-  // Search and vote in turn, as the synthesis does
-  struct Outcome {
-    double energy = 0.0;
-    SearchStatistics statistics;
-  };
-  const auto optimized = [&](SearchEffort settled) {
-    options_.searchEffort = settled;
-    target_.picture = pictureFor(target_, 21);
-    NearestNeighborField nnf = randomField();
-    Outcome outcome;
-    Mask changing;
-    constexpr int kRounds = 3;
-    constexpr int kSweeps = 4;
-    for (int i = 0; i < kRounds; ++i) {
-      outcome.statistics += findNearestNeighbors(problem(), weights_, kSweeps, kSweeps * i, nnf,
-                                                 Candidates::kAll, &changing);
-      target_.picture = vote(exemplar_.level(0), target_.segment, nnf);
-    }
-    outcome.energy = energy(nnf);
-    return outcome;
-  };
-  const Outcome searched = optimized(SearchEffort::kEverywhere);
-  const Outcome leftAlone = optimized(SearchEffort::kWhereItChanges);
-  EXPECT_LT(leftAlone.energy, 1.05 * searched.energy);
-  EXPECT_LT(static_cast<double>(leftAlone.statistics.distances),
-            0.7 * static_cast<double>(searched.statistics.distances));
-}
-
-TEST_F(PatchMatchTest, ChangingIsWhereTheLastSweepChangedTheMatch) {
-  for (const SearchEffort settled : {SearchEffort::kEverywhere, SearchEffort::kWhereItChanges}) {
-    options_.searchEffort = settled;
-    NearestNeighborField nnf = randomField();
-    Mask changing;
-    for (int pass = 0; pass < 3; ++pass) {
-      const NearestNeighborField before = nnf.clone();
-      findNearestNeighbors(problem(), weights_, 1, pass, nnf, Candidates::kAll, &changing);
-      ASSERT_EQ(changing.size(), nnf.size());
-      for (int y = 0; y < nnf.height(); ++y) {
-        for (int x = 0; x < nnf.width(); ++x) {
-          ASSERT_EQ(changing(x, y) != 0, !sameMatch(before(x, y), nnf(x, y))) << x << ", " << y;
-        }
-      }
-    }
-    // Of several sweeps it is the last one's
-    NearestNeighborField again = randomField();
-    Mask last;
-    findNearestNeighbors(problem(), weights_, 2, 0, again, Candidates::kAll, &last);
-    const NearestNeighborField beforeLast = again.clone();
-    findNearestNeighbors(problem(), weights_, 1, 2, again, Candidates::kAll, &last);
-    for (std::size_t i = 0; i < again.pixelCount(); ++i) {
-      ASSERT_EQ(last.data()[i] != 0, !sameMatch(beforeLast.data()[i], again.data()[i]));
-    }
-  }
-}
-
-TEST_F(PatchMatchTest, NoMaskAndAnEmptyOneSayThatEverythingMayChange) {
-  options_.searchEffort = SearchEffort::kWhereItChanges;
-  NearestNeighborField without = randomField();
-  findNearestNeighbors(problem(), weights_, 3, 0, without);
-  NearestNeighborField with = randomField();
-  Mask changing;
-  findNearestNeighbors(problem(), weights_, 3, 0, with, Candidates::kAll, &changing);
-  EXPECT_TRUE(sameBytes(without, with));
-}
-
-TEST_F(OneTileTest, OnlyWhatChangesIsSearchedAtRandomWhereTheRestIsLeftAlone) {
-  // No neighbour has anything better to offer, in either direction, to a sweep of this kind
-  options_.searchEffort = SearchEffort::kWhereItChanges;
-  NearestNeighborField settled = randomField();
-  findNearestNeighbors(problem(), weights_, 3, 0, settled);
-  for (int pass = 4;; pass += 2) {
-    ASSERT_LT(pass, 100) << "has to settle";
-    const NearestNeighborField before = settled.clone();
-    Mask nowhere(settled.size());
-    findNearestNeighbors(problem(), weights_, 2, pass, settled, Candidates::kAll, &nowhere);
-    if (sameBytes(before, settled)) break;
-  }
-  const auto searched = [&](SearchEffort which, Mask& mask) {
-    options_.searchEffort = which;
-    NearestNeighborField nnf = settled.clone();
-    findNearestNeighbors(problem(), weights_, 1, 4, nnf, Candidates::kAll, &mask);
-    return nnf;
-  };
-  Mask none(settled.size());
-  EXPECT_TRUE(sameBytes(searched(SearchEffort::kWhereItChanges, none), settled));
-  EXPECT_EQ(countInside(none), 0U);
-  Mask noneOfAll(settled.size());
-  EXPECT_FALSE(sameBytes(searched(SearchEffort::kEverywhere, noneOfAll), settled));
-
-  // The sweep goes right and down: what lies above the only place that may change stays
-  Mask lower(settled.size());
-  constexpr int kFirstRow = 28;
-  for (int y = kFirstRow; y < settled.height(); ++y) {
-    for (int x = 0; x < settled.width(); ++x) lower(x, y) = 1;
-  }
-  const NearestNeighborField changed = searched(SearchEffort::kWhereItChanges, lower);
-  EXPECT_FALSE(sameBytes(changed, settled));
-  for (int y = 0; y < kFirstRow; ++y) {
-    for (int x = 0; x < settled.width(); ++x) {
-      ASSERT_TRUE(sameMatch(changed(x, y), settled(x, y))) << x << ", " << y;
-    }
-  }
 }
 
 TEST_F(PatchMatchTest, StatisticsCountDistancesAndTheSamplesComparedInThem) {
@@ -512,93 +311,6 @@ TEST_F(PatchMatchTest, AnotherSeedFindsAnotherField) {
   NearestNeighborField second = randomField();
   findNearestNeighbors(problem(), weights_, 1, 0, second);
   EXPECT_NE(std::memcmp(first.data(), second.data(), first.pixelCount() * sizeof(Match)), 0);
-}
-
-/// One frame of the exemplar as its own target, turned by a quarter: every pixel has a perfect
-/// match, known in advance, and one of them is given. Whatever else is found, a random search that
-/// draws once per pixel did not find.
-class Propagation : public ::testing::Test {
- protected:
-  static constexpr int kFrame = 2;
-  static constexpr int kMiddle = 64;  // of the disc, and the first pixel of a tile
-
-  Propagation() {
-    options_.lambda = 0.0F;
-    options_.patchmatchAlpha = 0.001F;
-    const Image<Lab> original = test::paintedDisc(disc_, kFrame, 20);
-    for (int y = 0; y < disc_.size.height; ++y) {
-      for (int x = 0; x < disc_.size.width; ++x) {
-        if (!target_.inside(x, y)) continue;
-        const Match p = perfect(x, y);
-        target_.picture(x, y) = FixedLab::of(original.clamped(p.nearestX(), p.nearestY()));
-      }
-    }
-  }
-
-  /// R_-90 about the middle.
-  [[nodiscard]] static Match perfect(int x, int y) {
-    return {static_cast<float>(kMiddle + (y - kMiddle)),
-            static_cast<float>(kMiddle - (x - kMiddle)), kFrame, Rotation{0.0F, 1.0F}};
-  }
-
-  /// Random matches but for a perfect one at (x, y), after sweep number `pass`.
-  [[nodiscard]] NearestNeighborField sweptFrom(int x, int y, int pass) const {
-    const SearchProblem problem{exemplar_.level(0), expectedUse_, target_, options_, Place{}};
-    NearestNeighborField nnf(target_.size());
-    repair(problem, -1, nnf);
-    nnf(x, y) = perfect(x, y);
-    findNearestNeighbors(problem, {1.0F, 5.0F, 0.1F, 0.0F}, 1, pass, nnf);
-    return nnf;
-  }
-
-  [[nodiscard]] static bool isPerfect(const NearestNeighborField& nnf, int x, int y) {
-    const Match& found = nnf(x, y);
-    const Match wanted = perfect(x, y);
-    return found.x == wanted.x && found.y == wanted.y && found.frame == wanted.frame &&
-           found.rotation.cosine == wanted.rotation.cosine &&
-           found.rotation.sine == wanted.rotation.sine;
-  }
-
-  test::GrowingDisc disc_{Size{129, 129}, {64.0F, 64.0F}, 26.0F, 1.0F, 4};
-  Exemplar exemplar_ = test::discExemplar(disc_, 0, kBorderWidthPx, 20);
-  ExpectedUse expectedUse_{exemplar_.level(0), 10};
-  TargetLevel target_{finestLevel(disc_.guides(kFrame)), kBorderWidthPx};
-  SynthesisOptions options_;
-};
-
-TEST_F(Propagation, MovesANeighboursPlaceByTheStepTurnedBack) {
-  const NearestNeighborField nnf = sweptFrom(70, 70, 0);
-  for (int step = 0; step < 8; ++step) {
-    EXPECT_TRUE(isPerfect(nnf, 70 + step, 70)) << step;
-    EXPECT_TRUE(isPerfect(nnf, 70, 70 + step)) << step;
-    EXPECT_TRUE(isPerfect(nnf, 70 + step, 70 + step)) << step;
-  }
-}
-
-TEST_F(Propagation, RunsRightAndDownOnEvenSweepsLeftAndUpOnOddOnes) {
-  const NearestNeighborField even = sweptFrom(75, 75, 0);
-  EXPECT_TRUE(isPerfect(even, 78, 75));
-  EXPECT_TRUE(isPerfect(even, 75, 78));
-  EXPECT_FALSE(isPerfect(even, 72, 75));
-  EXPECT_FALSE(isPerfect(even, 75, 72));
-  const NearestNeighborField odd = sweptFrom(75, 75, 1);
-  EXPECT_TRUE(isPerfect(odd, 72, 75));
-  EXPECT_TRUE(isPerfect(odd, 75, 72));
-  EXPECT_FALSE(isPerfect(odd, 78, 75));
-  EXPECT_FALSE(isPerfect(odd, 75, 78));
-}
-
-TEST_F(Propagation, CrossesTheEdgesOfTilesWithinOneSweep) {
-  const NearestNeighborField right = sweptFrom(kMiddle - 1, 70, 0);
-  EXPECT_TRUE(isPerfect(right, kMiddle, 70));
-  EXPECT_TRUE(isPerfect(right, kMiddle + 5, 70));
-  const NearestNeighborField down = sweptFrom(70, kMiddle - 1, 0);
-  EXPECT_TRUE(isPerfect(down, 70, kMiddle));
-  EXPECT_TRUE(isPerfect(down, 70, kMiddle + 5));
-  const NearestNeighborField left = sweptFrom(kMiddle, 70, 1);
-  EXPECT_TRUE(isPerfect(left, kMiddle - 1, 70));
-  const NearestNeighborField up = sweptFrom(70, kMiddle, 1);
-  EXPECT_TRUE(isPerfect(up, 70, kMiddle - 1));
 }
 
 TEST_F(PatchMatchTest, RepairMovesIllegalMatchesToTheNearestLegalPixel) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "fluidymation/core/random.h"
+#include "support/fixed_point.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {
@@ -128,7 +129,9 @@ TEST(ExemplarLevelTexels, HoldWhatWasSetInStepsOfTheirChannels) {
     const float ofExtent = 0.5F / scale.stepsPerUnit() + kRounding;
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const auto value = [&, x, y](Channel channel) { return level.value(x, y, 0, channel); };
+        const auto value = [&, x, y](Channel channel) {
+          return test::channelAt(level, x, y, 0, channel);
+        };
         EXPECT_NEAR(value(kLightness), color(x, y).l, kOfColor);
         EXPECT_NEAR(value(kGreenRed), color(x, y).a, kOfColor);
         EXPECT_NEAR(value(kBlueYellow), color(x, y).b, kOfColor);

@@ -96,12 +96,11 @@ TEST(PaintedVote, WithTheThesisOptionsIsTheVoteToItsFixedPoint) {
   const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
   const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
   const Image<FixedLab> plain = vote(exemplar, segment, nnf);
-  const VotedPicture painted =
-      paintedVote(exemplar, Mask(nnf.size(), 1), nnf, VoteOptions{0.0F, {}});
+  const Image<Lab> painted = paintedVote(exemplar, Mask(nnf.size(), 1), nnf, VoteOptions{0.0F, {}});
   for (std::size_t i = 0; i < plain.pixelCount(); ++i) {
     ASSERT_TRUE(plain.data()[i].exists());
     const Lab voted = plain.data()[i].lab();
-    const Lab mean = painted.color.data()[i];
+    const Lab mean = painted.data()[i];
     EXPECT_NEAR(voted.l, mean.l, kVoteTolerance);
     EXPECT_NEAR(voted.a, mean.a, kVoteTolerance);
     EXPECT_NEAR(voted.b, mean.b, kVoteTolerance);
@@ -113,12 +112,13 @@ TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
   const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
   for (const Interpolation interpolation :
        {Interpolation::kBilinear, Interpolation::kCubic, Interpolation::kLanczos}) {
-    const VotedPicture picture =
+    const Image<Lab> picture =
         paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {0.05F, interpolation});
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
-        const float own = exemplar.value(nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0, kLightness);
-        EXPECT_NEAR(picture.color(x, y).l, own, 1e-3F);
+        const float own =
+            test::channelAt(exemplar, nnf(x, y).nearestX(), nnf(x, y).nearestY(), 0, kLightness);
+        EXPECT_NEAR(picture(x, y).l, own, 1e-3F);
       }
     }
   }
@@ -135,14 +135,13 @@ TEST(PaintedVote, PixelsNextToTheMaskAreSeenByTheWindowsOfTheirNeighbours) {
     for (int x = 0; x < 7; ++x) nnf(x, y) = all(x, y);
   }
   for (const float sigmaPx : {0.0F, 0.01F, 0.1F, 0.5F, 2.0F}) {
-    const VotedPicture picture =
+    const Image<Lab> picture =
         paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kCubic});
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
         const bool reached = x < 7 + kPatchRadius;
-        EXPECT_EQ(picture.exists(x, y) != 0, reached) << x << ", sigma " << sigmaPx;
-        EXPECT_NEAR(picture.color(x, y).l, reached ? paint.l : 0.0F, 1e-2F);
-        EXPECT_NEAR(picture.color(x, y).b, reached ? paint.b : 0.0F, 1e-2F);
+        EXPECT_NEAR(picture(x, y).l, reached ? paint.l : 0.0F, 1e-2F) << x << ", " << sigmaPx;
+        EXPECT_NEAR(picture(x, y).b, reached ? paint.b : 0.0F, 1e-2F);
       }
     }
   }
@@ -153,7 +152,7 @@ TEST(PaintedVote, AWiderWeightLiesBetween) {
   const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
   const auto spread = [&](float sigmaPx) {
     const Image<Lab> color =
-        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kBilinear}).color;
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kBilinear});
     double sum = 0.0;
     double squares = 0.0;
     for (const Lab& c : color) {
@@ -231,7 +230,7 @@ TEST(LanczosSampling, PassesThroughThePixelsAndRepeatsTheEdge) {
     for (int x = 0; x < size.width; ++x) {
       EXPECT_NEAR(
           sampleLanczos(kernel, exemplar, 0, static_cast<float>(x), static_cast<float>(y))[0],
-          exemplar.value(x, y, 0, kLightness), 1e-4F);
+          test::channelAt(exemplar, x, y, 0, kLightness), 1e-4F);
     }
   }
   EXPECT_EQ(sampleLanczos(kernel, exemplar, 0, -3.0F, 20.0F)[0],
