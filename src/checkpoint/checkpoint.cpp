@@ -47,11 +47,10 @@ void write(const FrameRecords& frames, ByteWriter& bytes) {
 }
 
 void write(const Match& match, ByteWriter& bytes) {
-  bytes.number(match.x);
-  bytes.number(match.y);
-  bytes.number(match.frame);
-  bytes.number(match.rotation.cosine);
-  bytes.number(match.rotation.sine);
+  bytes.words(std::array<std::uint32_t, 5>{ByteWriter::bitsOf(match.x), ByteWriter::bitsOf(match.y),
+                                           static_cast<std::uint32_t>(match.frame),
+                                           ByteWriter::bitsOf(match.rotation.cosine),
+                                           ByteWriter::bitsOf(match.rotation.sine)});
 }
 
 [[nodiscard]] Match readMatch(const CheckpointLimits& limits, ByteReader& bytes) {

@@ -1,17 +1,23 @@
 #include "checkpoint/fingerprint.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <string_view>
 
 namespace fluidymation {
 namespace {
 
 constexpr std::size_t kLongestList = 5;  // of changed files
 
-/// A list of texts, separated by semicolons.
+/// A list of clauses, separated by semicolons.
 class Sentence {
  public:
-  void add(const std::string& part) { text_ += (text_.empty() ? "" : "; ") + part; }
+  /// One clause, from its parts.
+  void add(std::initializer_list<std::string_view> parts) {
+    if (!text_.empty()) text_ += "; ";
+    for (const std::string_view part : parts) text_ += part;
+  }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
@@ -47,7 +53,7 @@ class Sentence {
 
 void compare(const InputDigests& had, const InputDigests& now, Sentence& sentence) {
   if (!haveSameNumbers(had, now)) {
-    sentence.add(had.option + " had " + framesText(had) + ", now has " + framesText(now));
+    sentence.add({had.option, " had ", framesText(had), ", now has ", framesText(now)});
     return;
   }
   std::string numbers;
@@ -62,8 +68,8 @@ void compare(const InputDigests& had, const InputDigests& now, Sentence& sentenc
   if (changed > kLongestList) {
     numbers += " and " + std::to_string(changed - kLongestList) + " more";
   }
-  sentence.add(had.option + ": " + (changed == 1 ? "frame" : "frames") + numbers +
-               (changed == 1 ? " has" : " have") + " changed");
+  sentence.add({had.option, ": ", changed == 1 ? "frame" : "frames", numbers,
+                changed == 1 ? " has" : " have", " changed"});
 }
 
 }  // namespace
@@ -71,29 +77,29 @@ void compare(const InputDigests& had, const InputDigests& now, Sentence& sentenc
 std::optional<std::string> difference(const Fingerprint& had, const Fingerprint& now) {
   Sentence sentence;
   if (had.version != now.version) {
-    sentence.add("fluidymation was " + had.version + ", now " + now.version);
+    sentence.add({"fluidymation was ", had.version, ", now ", now.version});
   }
   for (const auto& [option, value] : now.options) {
     const std::string* const before = valueOf(had, option);
     if (before == nullptr) {
-      sentence.add(option + " was not given, now " + value);
+      sentence.add({option, " was not given, now ", value});
     } else if (*before != value) {
-      sentence.add(option + " was " + *before + ", now " + value);
+      sentence.add({option, " was ", *before, ", now ", value});
     }
   }
   for (const auto& [option, value] : had.options) {
-    if (valueOf(now, option) == nullptr) sentence.add(option + " was " + value + ", now not given");
+    if (valueOf(now, option) == nullptr) sentence.add({option, " was ", value, ", now not given"});
   }
   for (const InputDigests& input : now.inputs) {
     const InputDigests* const before = inputOf(had, input.option);
     if (before == nullptr) {
-      sentence.add(input.option + " was not given");
+      sentence.add({input.option, " was not given"});
     } else {
       compare(*before, input, sentence);
     }
   }
   for (const InputDigests& input : had.inputs) {
-    if (inputOf(now, input.option) == nullptr) sentence.add(input.option + " was given, now not");
+    if (inputOf(now, input.option) == nullptr) sentence.add({input.option, " was given, now not"});
   }
   if (sentence.text().empty()) return std::nullopt;
   return sentence.text();

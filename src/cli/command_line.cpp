@@ -126,7 +126,9 @@ void applyOption(const Spec& spec, const std::vector<std::string>& values, bool 
 void refuseOthers(const std::string& alone, const std::vector<Spec>& table, const CLI::App& app) {
   for (const Spec& spec : table) {
     if (spec.name == alone || app.get_option(spec.name)->count() == 0) continue;
-    throw UsageError(alone + ", " + spec.name + ": wanted " + alone + " alone");
+    std::string message = alone;
+    message += ", " + spec.name + ": wanted ";
+    throw UsageError(message + alone + " alone");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace fluidymation {
 namespace {
 
-constexpr char kDigits[] = "0123456789abcdef";
+constexpr std::string_view kDigits = "0123456789abcdef";
 
 [[nodiscard]] Digest canonical(const XXH128_hash_t& hash) {
   XXH128_canonical_t canonical;
@@ -56,10 +57,9 @@ std::string Digest::text() const {
 std::optional<Digest> Digest::parse(const std::string& text) {
   Digest digest;
   if (text.size() != 2 * digest.bytes.size()) return std::nullopt;
-  const std::string digits = kDigits;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::size_t value = digits.find(text[i]);
-    if (value == std::string::npos) return std::nullopt;
+    const std::size_t value = kDigits.find(text[i]);
+    if (value == std::string_view::npos) return std::nullopt;
     std::uint8_t& byte = digest.bytes[i / 2];
     byte = static_cast<std::uint8_t>((byte << 4U) | value);
   }

@@ -41,7 +41,7 @@ RunJournal::RunJournal(RunIdentity run, FrameSpan wanted, const StartingPoint& s
       statePath_(start.statePath),
       clock_(options.checkpointEvery) {}
 
-void RunJournal::discardOldStates() {
+void RunJournal::discardOldStates() const {
   if (!startsAnew_) return;
   for (const auto& [number, path] : run_.files.states()) removeQuietly(path);
 }

@@ -45,7 +45,7 @@ class RunJournal {
              const ContinuationOptions& options);
 
   /// Forgets states that no run can go on from any more, where all frames are painted anew.
-  void discardOldStates();
+  void discardOldStates() const;
 
   /// A frame is on the disk; frames come in order.
   /// @param state  as after this frame; none where no run can go on after it.

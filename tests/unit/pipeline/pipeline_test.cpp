@@ -56,7 +56,7 @@ TEST(Stylize, StopsWheneverAskedAndGoesOnToTheSameFrames) {
     options.threads = threads;
     bool stopped = true;
     int before = 0;
-    for (int patience = 0; stopped; ++patience) {
+    for (int patience = 0; stopped; patience += 3) {
       SCOPED_TRACE(patience);
       scene.remove("out");
       int asked = 0;
