@@ -17,8 +17,8 @@ GuideFrame outlineOnly(GuideFrame guides) {
   return outline;
 }
 
-/// The whole frame of a painting, without what is dumped of it.
-PaintedFrame wholeFrame(const Painting& painting) {
+/// The whole frame of a painting; of its guides only what is always written.
+PaintedFrame wholeFrame(const Painting& painting, bool withMatches) {
   const Size size = painting.state.size;
   const auto whole = [&](const auto& part) {
     return recropped(part, painting.state.box, {0, 0, size.width, size.height});
@@ -27,7 +27,7 @@ PaintedFrame wholeFrame(const Painting& painting) {
   frame.picture = whole(painting.picture);
   frame.guides.mask = whole(painting.guides.mask);
   if (!painting.guides.coverage.empty()) frame.guides.coverage = whole(painting.guides.coverage);
-  frame.nnf = whole(painting.state.nnf);
+  if (withMatches) frame.nnf = whole(painting.state.nnf);
   return frame;
 }
 
@@ -56,7 +56,7 @@ std::vector<PaintedFrame> FramePainter::paintBidirectionally(GuideFrame guides, 
   std::vector<Painting> window = bidirectional_.paint(guides, endsHere);
   if (dumps_) waiting_.push_back(std::move(guides));
   for (std::size_t i = 0; i < window.size(); ++i) {
-    finished.push_back(wholeFrame(window[i]));
+    finished.push_back(wholeFrame(window[i], dumps_));
     if (dumps_) finished.back().guides = std::move(waiting_[i]);
     window[i] = {};
   }

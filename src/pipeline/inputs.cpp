@@ -94,6 +94,7 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.occRadiusFrames = options.synthesis.occRadiusFrames;
   run.finestLevel = options.synthesis.finestLevel;
   run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
+  run.temporalCoherence = options.synthesis.temporalCoherence;
   run.dumps = options.dumpGuidesDirectory.has_value();
   if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
   if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;

@@ -7,6 +7,7 @@
 #include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/io/png.h"
+#include "fluidymation/synthesis/bidirectional_painter.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/patchmatch.h"
@@ -71,6 +72,10 @@ constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8) + kStateBytes;
 // What is added where frames are dumped: all their guides, their matches, and these as files hold
 // them.
 constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
+
+// Per pixel of a painting that waits for the frames after it: guides, picture, matches and movement
+// owed; for the dump all guides once more.
+constexpr double kPaintingKeptBytes = kGuideBytes + sizeof(Lab) + sizeof(Match) + sizeof(float);
 
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
@@ -139,6 +144,15 @@ double occurrenceBytes(const RunSize& run) {
   return levelsFrom(finestIsSearched) * kMapBytes + levelsFrom(finestDraws) * ofChanges * workers;
 }
 
+/// Paintings kept at most, where frames are painted in both directions of time: of a window, the
+/// frame before it, and one that is being copied.
+double windowBytes(const RunSize& run) {
+  if (run.temporalCoherence == TemporalCoherence::kForward) return 0.0;
+  const int window = std::min(kWindowFrames, run.targetFrames);
+  return pixels(run.target) *
+         ((window + 2) * kPaintingKeptBytes + (run.dumps ? window * kGuideBytes : 0.0));
+}
+
 }  // namespace
 
 std::int64_t bytesOfRun(const RunSize& run) {
@@ -166,7 +180,7 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double writing = pixels(run.target) * (kWritingBytes + (run.dumps ? kDumpingBytes : 0.0));
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
   const double painting =
-      exemplar + pixels(run.target) * kWrittenBytes +
+      exemplar + windowBytes(run) + pixels(run.target) * kWrittenBytes +
       (sideBySide ? guiding + searching + writing : std::max({guiding, searching, writing}));
 
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;

@@ -29,6 +29,7 @@ struct RunSize {
   FinestLevel finestLevel = SynthesisOptions{}.finestLevel;
   bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
   int occRadiusFrames = SynthesisOptions{}.occRadiusFrames;
+  TemporalCoherence temporalCoherence = SynthesisOptions{}.temporalCoherence;
   bool dumps = false;  ///< whether guides and matches are written too
 };
 
@@ -40,9 +41,10 @@ inline constexpr std::int64_t kBytesPerMaskPixel = 16;
 [[nodiscard]] std::int64_t bytesKept(const ShapeTally& target);
 
 /// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
-/// frame at work (with several threads one in each stage: guides, search, writing) and the packed
-/// masks of the target. `bytesKept` comes on top for the target's
-/// mask pixels and outlines, whose number shows only when the masks are read and smoothed.
+/// frame at work (with several threads one in each stage: guides, search, writing), those of a
+/// window where frames are painted in both directions of time, and the packed masks of the target.
+/// `bytesKept` comes on top for the target's mask pixels and outlines, whose number shows only when
+/// the masks are read and smoothed.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 
 /// "3.4 GiB", rounded up.

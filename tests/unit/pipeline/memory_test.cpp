@@ -49,6 +49,10 @@ TEST(Memory, GrowsWithEverySize) {
   EXPECT_GT(changed([](RunSize& r) { r.shape.modulation = ModulationDistance::kUnclamped; }),
             bytes);
   EXPECT_LT(changed([](RunSize& r) { r.mayCompareAges = false; }), bytes);
+  const auto bidirectional = [](RunSize& r) {
+    r.temporalCoherence = TemporalCoherence::kBidirectional;
+  };
+  EXPECT_GT(changed(bidirectional), bytes + 8 * std::int64_t{500} * 400 * 80);
 }
 
 TEST(Memory, FramesAreDecodedAtTheirStoredSize) {
@@ -133,6 +137,7 @@ struct FullMaskRun {
   MaskKind kind = MaskKind::kHard;
   const char* preset = "standard";
   int threads = 1;
+  TemporalCoherence coherence = TemporalCoherence::kForward;
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -183,12 +188,15 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
     scene.write(test::SmallScene::frame("mask", number), pngOf(maskOf(run.kind, run.source)));
     scene.write(test::SmallScene::frame("target", number), pngOf(maskOf(run.kind, run.target)));
   }
-  const test::ProcessResult result = scene.paint({{"--preset", run.preset},
-                                                  {"--blur-sigma", "0"},
-                                                  {"--opt-iterations", "0"},
-                                                  {"--patchmatch-iterations", "1"},
-                                                  {"--threads", std::to_string(run.threads)},
-                                                  {"--quiet", ""}});
+  const test::ProcessResult result =
+      scene.paint({{"--preset", run.preset},
+                   {"--blur-sigma", "0"},
+                   {"--opt-iterations", "0"},
+                   {"--patchmatch-iterations", "1"},
+                   {"--threads", std::to_string(run.threads)},
+                   {"--temporal-coherence",
+                    run.coherence == TemporalCoherence::kForward ? "forward" : "bidirectional"},
+                   {"--quiet", ""}});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const Size largest = pixelsOf(run.source) > pixelsOf(run.target) ? run.source : run.target;
   RunSize size{run.source, run.frames, run.target, run.frames, run.threads, 1.0F, largest};
@@ -196,6 +204,7 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
   size.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
   size.shape = options.synthesis.shape;
   size.finestLevel = options.synthesis.finestLevel;
+  size.temporalCoherence = run.coherence;
   const std::int64_t estimate =
       bytesOfRun(size) +
       bytesKept(tallyOf(maskOf(run.kind, run.target), {0.0F, 0.5F})) * run.frames;
@@ -216,6 +225,14 @@ INSTANTIATE_TEST_SUITE_P(
         FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
         FullMaskRun{"target", {40, 40}, {600, 500}, 2},
         FullMaskRun{"targetSideBySide", {40, 40}, {600, 500}, 6, MaskKind::kSoft, "standard", 2},
+        FullMaskRun{"targetInWindows",
+                    {40, 40},
+                    {600, 500},
+                    11,
+                    MaskKind::kSoft,
+                    "standard",
+                    2,
+                    TemporalCoherence::kBidirectional},
         FullMaskRun{"softExemplar", {700, 600}, {40, 40}, 3, MaskKind::kSoft},
         FullMaskRun{"softTarget", {40, 40}, {600, 500}, 2, MaskKind::kSoft},
         FullMaskRun{"dustExemplar", {200, 150}, {40, 40}, 40, MaskKind::kDust},
