@@ -117,6 +117,33 @@ TEST_F(Resume, AfterAKillAtAnyCallToTheDiskGivesTheSameBytes) {
   EXPECT_GT(call, 5 * kFrames);  // that there were calls to be killed at
 }
 
+TEST(ResumeInWindows, AfterAKillGivesTheSameBytes) {
+  // Windows of 8 frames: a run goes on after the first one, or begins anew
+  constexpr int kInWindows = 11;
+  const SmallScene scene(kInWindows);
+  const ToolOptions options = {{"--temporal-coherence", "bidirectional"},
+                               {"--checkpoint-every", "1"},
+                               {"--src-frames", "11"},
+                               {"--target-frames", "11"}};
+  const Painting expected = scene.painting(options);
+  ASSERT_EQ(expected.size(), std::size_t{kInWindows});
+  EXPECT_NE(expected,
+            scene.painting({{"--src-frames", "11"}, {"--target-frames", "11"}, {"--restart", ""}}));
+  ToolOptions resuming = options;
+  resuming["--resume"] = "";
+  for (const int frames : {1, 7, 8, 9}) {
+    SCOPED_TRACE(std::to_string(frames) + " frames");
+    scene.remove("out");
+    ProcessSetup setup;
+    setup.signalAfterOutput = SIGKILL;
+    setup.linesBeforeSignal = frames;
+    EXPECT_EQ(scene.paint(options, setup).signal, SIGKILL);
+    resuming["--threads"] = frames % 2 == 0 ? "1" : "2";
+    EXPECT_EQ(scene.paint(quietly(resuming)).exitCode, 0);
+    EXPECT_EQ(filesOf(scene.file("out")), expected);
+  }
+}
+
 TEST_F(Resume, AStopSignalSavesTheStateAndSaysHowToGoOn) {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     SCOPED_TRACE(signal);
