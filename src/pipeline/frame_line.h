@@ -31,8 +31,8 @@ struct FrameSpan {
 /// What is done with each frame of a target. Each stage gets the frames in order, one at a time.
 struct FrameStages {
   std::function<GuideFrame(int frame)> guide;
-  /// @return  the frames that are finished by this one, in order: all that are not yet, or none;
-  ///   after the last one, none is left.
+  /// @return  the frames that are finished by this one, in order; they may be fewer in all than
+  ///   are painted.
   std::function<std::vector<PaintedFrame>(int frame, GuideFrame guides)> paint;
   std::function<void(int frame, const PaintedFrame& painted)> write;
 };

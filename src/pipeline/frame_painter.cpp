@@ -1,5 +1,6 @@
 #include "pipeline/frame_painter.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -33,9 +34,15 @@ PaintedFrame wholeFrame(const Painting& painting, bool withMatches) {
 
 }  // namespace
 
+FrameSpan FramePainter::painted() const {
+  if (coherence_ == TemporalCoherence::kForward) return wanted_;
+  const int windows = (wanted_.end + kWindowFrames - 1) / kWindowFrames;
+  return {wanted_.begin, std::min(windows * kWindowFrames, frameCount_)};
+}
+
 std::vector<PaintedFrame> FramePainter::paint(int frame, GuideFrame guides) {
   if (coherence_ == TemporalCoherence::kBidirectional) {
-    return paintBidirectionally(std::move(guides), frame + 1 == end_);
+    return paintBidirectionally(std::move(guides), frame + 1 == frameCount_);
   }
   std::vector<PaintedFrame> painted;
   painted.push_back(paintForward(std::move(guides)));
@@ -55,15 +62,13 @@ std::vector<PaintedFrame> FramePainter::paintBidirectionally(GuideFrame guides, 
   std::vector<PaintedFrame> finished;
   std::vector<Painting> window = bidirectional_.paint(guides, endsHere);
   if (dumps_) waiting_.push_back(std::move(guides));
-  for (std::size_t i = 0; i < window.size(); ++i) {
+  for (std::size_t i = 0; i < window.size() && window[i].state.frame <= wanted_.end; ++i) {
     finished.push_back(wholeFrame(window[i], dumps_));
+    finished.back().state = std::move(window[i].forward);
     if (dumps_) finished.back().guides = std::move(waiting_[i]);
     window[i] = {};
   }
-  if (finished.empty()) return finished;
-  waiting_.clear();
-  // A run can go on after the window alone: what comes before it is painted already
-  finished.back().state = std::make_shared<const SynthesisState>(synthesizer_.state());
+  if (!window.empty()) waiting_.clear();
   return finished;
 }
 

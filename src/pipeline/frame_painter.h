@@ -14,16 +14,22 @@ namespace fluidymation {
 class FramePainter {
  public:
   /// @param synthesizer  must outlive this.
-  /// @param end    number of the frame behind the last one to be painted.
+  /// @param wanted      frames that are written.
+  /// @param frameCount  of the whole target.
   /// @param dumps  whether guides and matches are written, too.
-  FramePainter(Synthesizer& synthesizer, TemporalCoherence coherence, int end, bool dumps)
+  FramePainter(Synthesizer& synthesizer, TemporalCoherence coherence, FrameSpan wanted,
+               int frameCount, bool dumps)
       : synthesizer_(synthesizer),
         bidirectional_(synthesizer),
         coherence_(coherence),
-        end_(end),
+        wanted_(wanted),
+        frameCount_(frameCount),
         dumps_(dumps) {}
 
-  /// The stage `paint` of FrameStages.
+  /// Frames that have to be painted: to the end of the window that the last wanted one lies in.
+  [[nodiscard]] FrameSpan painted() const;
+
+  /// The stage `paint` of FrameStages: gives the wanted ones of the frames that are finished.
   [[nodiscard]] std::vector<PaintedFrame> paint(int frame, GuideFrame guides);
 
  private:
@@ -33,7 +39,8 @@ class FramePainter {
   Synthesizer& synthesizer_;
   BidirectionalPainter bidirectional_;
   TemporalCoherence coherence_;
-  int end_;
+  FrameSpan wanted_;
+  int frameCount_;
   bool dumps_;
   std::vector<GuideFrame> waiting_;  ///< guides to be dumped of frames that are not finished
 };

@@ -73,9 +73,10 @@ constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8) + kStateBytes;
 // them.
 constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
 
-// Per pixel of a painting that waits for the frames after it: guides, picture, matches and movement
-// owed; for the dump all guides once more.
-constexpr double kPaintingKeptBytes = kGuideBytes + sizeof(Lab) + sizeof(Match) + sizeof(float);
+// Per pixel of a painting that waits for the frames after it: guides, picture, and twice, as
+// painted first and as revised, matches and movement owed; for the dump all guides once more.
+constexpr double kPaintingKeptBytes =
+    kGuideBytes + sizeof(Lab) + 2.0 * (sizeof(Match) + sizeof(float));
 
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
@@ -175,12 +176,12 @@ std::int64_t bytesOfRun(const RunSize& run) {
       std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
                pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
   const double guiding = pixels(run.target) * (kGuidesAtWork + ownBytes);
-  const double searching =
-      pixels(run.target) * (kPaintingBytes + ownBytes) + exemplarVolume * occurrenceBytes(run);
+  const double searching = pixels(run.target) * (kPaintingBytes + ownBytes);
   const double writing = pixels(run.target) * (kWritingBytes + (run.dumps ? kDumpingBytes : 0.0));
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
   const double painting =
-      exemplar + windowBytes(run) + pixels(run.target) * kWrittenBytes +
+      exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
+      pixels(run.target) * kWrittenBytes +
       (sideBySide ? guiding + searching + writing : std::max({guiding, searching, writing}));
 
   const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;

@@ -242,7 +242,8 @@ void stylize(const Options& given, const Observer& observer) {
   const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
   stages.guide = guideStage(guides, withAges);
-  FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span.end, dumps);
+  FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span, frameCount,
+                       dumps);
   std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
   stages.paint = [&](int j, GuideFrame frame) {
     notes.push_back(
@@ -275,7 +276,7 @@ void stylize(const Options& given, const Observer& observer) {
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
   paintSavingState(journal, [&] {
     goOn(stages.guide, start, stopping, synthesizer);
-    runFrames(start.span, stages, shares, events);
+    runFrames(painter.painted(), stages, shares, events);
   });
 }
 

@@ -1,13 +1,18 @@
 #include "fluidymation/synthesis/bidirectional_painter.h"
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace fluidymation {
+
 std::vector<Painting> BidirectionalPainter::paint(const GuideFrame& frame, bool endsHere) {
   if (window_.empty()) before_ = synthesizer_.painting();
   (void)synthesizer_.paint(frame);
+  // The frames of a hold are revised as one: none can go on amid them.
+  if (synthesizer_.held() && !window_.empty()) window_.back().forward = nullptr;
   window_.push_back(synthesizer_.painting());
+  window_.back().forward = std::make_shared<const SynthesisState>(window_.back().state.clone());
   const bool isFull = window_.back().state.frame % kWindowFrames == 0;
   if (!isFull && !endsHere) return {};
   revise();
@@ -28,6 +33,7 @@ void BidirectionalPainter::revise() {
     for (std::size_t held = first + 1; held < after; ++held) {
       window_[held].picture = window_[first].picture.clone();
       window_[held].state.nnf = window_[first].state.nnf.clone();
+      window_[held].state.owed = window_[first].state.owed.clone();
     }
     after = first;
   }

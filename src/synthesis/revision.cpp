@@ -1,6 +1,8 @@
 #include <utility>
 #include <vector>
 
+#include "fluidymation/core/box.h"
+#include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
 #include "fluidymation/synthesis/patchmatch.h"
@@ -12,7 +14,7 @@
 
 namespace fluidymation {
 
-void Synthesizer::revise(const Painting& before, const Painting& after, Painting& current) const {
+void Synthesizer::revise(const Painting& before, const Painting& after, Painting& current) {
   const Work work{current.state.frame - 1, current.state.size, current.state.box};
   const auto here = [&work](const auto& image, const Painting& of) {
     return recropped(image, of.state.box, work.box);
@@ -45,7 +47,12 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   current.state.nnf = std::move(nnf);
   current.picture =
       timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, current.state.nnf); });
-  if (options_.carriesMotion) current.state.owed = std::move(owed);
+  if (!options_.carriesMotion) return;
+  forEachRow(owed.height(), [&](int y) {
+    for (int x = 0; x < owed.width(); ++x) {
+      if (fromAfter(x, y).exists()) current.state.owed(x, y) = owed(x, y);
+    }
+  });
 }
 
 NearestNeighborField Synthesizer::revisedField(const Work& work, int level,
@@ -53,7 +60,7 @@ NearestNeighborField Synthesizer::revisedField(const Work& work, int level,
                                                const NearestNeighborField& own,
                                                const NearestNeighborField& before,
                                                const NearestNeighborField& after,
-                                               TargetLevel& target) const {
+                                               TargetLevel& target) {
   const ExemplarLevel& exemplar = exemplar_.level(level);
   const SearchProblem problem = problemOf(work, level, target);
   const DistanceWeights weights = this->weights();

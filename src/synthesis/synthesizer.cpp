@@ -139,7 +139,7 @@ Painting Synthesizer::painting() const {
   return last;
 }
 
-SearchProblem Synthesizer::problemOf(const Work& work, int level, const TargetLevel& target) const {
+SearchProblem Synthesizer::problemOf(const Work& work, int level, const TargetLevel& target) {
   const auto own = static_cast<std::size_t>(level - finestOptimized());
   return {exemplar_.level(level),
           expectedUse_[own],
@@ -209,7 +209,7 @@ LevelIterations Synthesizer::iterations(int level, int frame) const {
 
 NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighborField& coarser,
                                                  const NearestNeighborField& shifted, bool fresh,
-                                                 TargetLevel& target) const {
+                                                 TargetLevel& target) {
   const ExemplarLevel& exemplar = exemplar_.level(level);
   const SearchProblem problem = problemOf({frame_, size_, box_}, level, target);
   const int coarsest = exemplar_.levelCount() - 1;

@@ -14,9 +14,9 @@ inline constexpr int kWindowFrames = 8;
 
 /// Paints a target in windows of frames, each forwards and then, but for the last frame of a
 /// window, once more from its end to its begin (`Synthesizer::revise`): coherence in both
-/// directions of time, where the thesis has only one (P§5). The last frame of a window stays as it
-/// is, and with the next window's second one it is what the first frame there comes between;
-/// windows end with frames of certain numbers, so that a run can go on after any of them.
+/// directions of time, where the thesis has only one (P§5). Windows end with frames of certain
+/// numbers, and what is painted later goes by the frames as they were painted first, so that a run
+/// can go on after any frame but amid a hold.
 class BidirectionalPainter {
  public:
   /// @param synthesizer  paints the frames forwards; may have painted some already, the last of
@@ -25,7 +25,9 @@ class BidirectionalPainter {
 
   /// Paints the next frame.
   /// @param endsHere  whether it is the last one.
-  /// @return  the frames that are finished by that, in order: those of a window, or none.
+  /// @return  the frames that are finished by that, in order, those a run can go on after with
+  /// `Painting::forward`: those of
+  ///   a window, or none.
   [[nodiscard]] std::vector<Painting> paint(const GuideFrame& frame, bool endsHere);
 
  private:

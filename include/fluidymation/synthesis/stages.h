@@ -25,7 +25,8 @@ class StageObserver {
   StageObserver& operator=(const StageObserver&) = delete;
   virtual ~StageObserver() = default;
 
-  /// Stages do not overlap. `level` is 0 where a stage concerns all levels.
+  /// Stages do not overlap. `begins` may throw: then the frame is dropped, `ends` is not called,
+  /// and the Synthesizer is of no use any more. `level` is 0 where a stage concerns all levels.
   virtual void begins(Stage stage, int level) = 0;
   virtual void ends(Stage stage, int level) = 0;
   virtual void searched(int level, const SearchStatistics& done) = 0;

@@ -15,6 +15,10 @@ struct SynthesisState {
   Box box;                   ///< what was worked on of it
   NearestNeighborField nnf;  ///< of the box
   Image<float> owed;         ///< likewise; movement kept for later, px, 0 where there is no match
+
+  [[nodiscard]] SynthesisState clone() const {
+    return {frame, size, box, nnf.clone(), owed.clone()};
+  }
 };
 
 }  // namespace fluidymation

@@ -53,7 +53,7 @@ class Synthesizer {
   /// pixel in common. Frames that are painted later do not notice.
   /// @param before   the frame before; one without matches where there is none.
   /// @param current  painted before; gets new matches and a new picture.
-  void revise(const Painting& before, const Painting& after, Painting& current) const;
+  void revise(const Painting& before, const Painting& after, Painting& current);
 
   /// Whether the frame painted last is the one before once more.
   [[nodiscard]] bool held() const { return held_; }
@@ -95,7 +95,7 @@ class Synthesizer {
   /// says.
   [[nodiscard]] NearestNeighborField optimizedField(int level, const NearestNeighborField& coarser,
                                                     const NearestNeighborField& shifted, bool fresh,
-                                                    TargetLevel& target) const;
+                                                    TargetLevel& target);
 
   /// Levels from this one on get a field of their own; a finer one is only upscaled and voted
   /// (§4.4.3).
@@ -112,9 +112,8 @@ class Synthesizer {
                                                   const NearestNeighborField& own,
                                                   const NearestNeighborField& before,
                                                   const NearestNeighborField& after,
-                                                  TargetLevel& target) const;
-  [[nodiscard]] SearchProblem problemOf(const Work& work, int level,
-                                        const TargetLevel& target) const;
+                                                  TargetLevel& target);
+  [[nodiscard]] SearchProblem problemOf(const Work& work, int level, const TargetLevel& target);
 
   [[nodiscard]] DistanceWeights weights() const;
 
@@ -125,8 +124,8 @@ class Synthesizer {
   const Exemplar& exemplar_;
   SynthesisOptions options_;
   StageObserver* observer_;
-  std::vector<ExpectedUse> expectedUse_;      ///< from `finestOptimized` on
-  mutable std::vector<SearchMemory> memory_;  ///< likewise; scratch
+  std::vector<ExpectedUse> expectedUse_;  ///< from `finestOptimized` on
+  std::vector<SearchMemory> memory_;      ///< likewise; scratch
 
   // Of the frame painted last, as far as it lies in `box_`, a box round its mask: all other pixels
   // are left out of all work.

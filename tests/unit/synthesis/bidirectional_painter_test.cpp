@@ -110,18 +110,22 @@ TEST_F(BidirectionalPainterTest, AHoldStaysOnePicture) {
   }
 }
 
-TEST_F(BidirectionalPainterTest, GoesOnAfterAWindowAsIfNothingHadHappened) {
-  const std::vector<int> frames = moving(2 * kWindowFrames);
+TEST_F(BidirectionalPainterTest, GoesOnAfterAnyFrameAsIfNothingHadHappened) {
+  std::vector<int> frames = moving(2 * kWindowFrames);
+  frames[4] = frames[3];
   const std::vector<Painting> whole = paint(frames);
-  Synthesizer first(exemplar_, options_);
-  for (std::size_t i = 0; i < kWindowFrames; ++i) (void)first.paint(guides(frames, i));
-  Synthesizer second(exemplar_, options_);
-  second.restore(first.state(), guides(frames, kWindowFrames - 1));
-  BidirectionalPainter painter(second);
-  const std::vector<Painting> rest = paint(painter, frames, kWindowFrames);
-  ASSERT_EQ(rest.size(), std::size_t{kWindowFrames});
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    EXPECT_TRUE(looksAlike(rest[i], whole[kWindowFrames + i])) << i;
+  EXPECT_EQ(whole[3].forward, nullptr);  // amid a hold
+  for (const std::size_t done : {1U, 3U, 5U, 8U, 11U}) {
+    SCOPED_TRACE(done);
+    Synthesizer synthesizer(exemplar_, options_);
+    ASSERT_NE(whole[done - 1].forward, nullptr);
+    synthesizer.restore(whole[done - 1].forward->clone(), guides(frames, done - 1));
+    BidirectionalPainter painter(synthesizer);
+    const std::vector<Painting> rest = paint(painter, frames, done);
+    ASSERT_EQ(rest.size(), frames.size() - done);
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      EXPECT_TRUE(looksAlike(rest[i], whole[done + i])) << i;
+    }
   }
 }
 
