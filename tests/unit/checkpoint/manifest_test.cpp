@@ -79,6 +79,12 @@ TEST(ManifestTest, WhatIsNoneIsRefusedByName) {
     EXPECT_EQ(complaint(with("\"number\": 9", "\"number\": " + std::string(number))), noNumber);
     EXPECT_EQ(complaint(with("\"format\": 1", "\"format\": " + std::string(number))), noNumber);
   }
+  Manifest many = manifest();
+  many.fingerprint.inputs.clear();
+  for (const char* option : {"a", "b", "c", "d", "e", "f"}) {
+    many.fingerprint.inputs.push_back({option, {}});
+  }
+  EXPECT_EQ(complaint(textOf(encode(many))), path + ": holds more than a run can have");
   EXPECT_EQ(complaint("[]"), path + ": is no manifest of fluidymation");
   EXPECT_EQ(complaint("{}"), path + ": is no manifest of fluidymation");
   EXPECT_EQ(complaint(std::string(100'000, '[')), damaged);
