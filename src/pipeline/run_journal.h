@@ -13,8 +13,8 @@
 
 namespace fluidymation {
 
-/// What the first state is expected to take, before any was saved. With `kCheckpointShare`, it is
-/// not due within the first second: such a run is painted again as soon as it is read.
+/// What the first state is expected to take, before any was saved: the upper end of what the
+/// horse's takes to be taken, encoded and written (docs/performance.md).
 inline constexpr double kFirstSavingSeconds = 0.02;
 
 /// When a state is due.
