@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -32,10 +31,11 @@ void write(const FrameRecords& frames, ByteWriter& bytes) {
 
 [[nodiscard]] FrameRecords readFrames(const CheckpointLimits& limits, ByteReader& bytes) {
   constexpr double kLongestSeconds = 1e12;
-  FrameRecords frames(bytes.count(1, "the number of frames"));
-  if (frames.size() != static_cast<std::size_t>(limits.targetFrames)) {
+  const std::size_t count = bytes.count(1, "the number of frames");
+  if (count != static_cast<std::size_t>(limits.targetFrames)) {
     throw Error("it is damaged: it is of another number of frames");
   }
+  FrameRecords frames(count);
   for (std::optional<FrameRecord>& frame : frames) {
     if (bytes.byte() == 0) continue;
     FrameRecord record;

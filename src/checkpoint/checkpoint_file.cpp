@@ -1,16 +1,25 @@
 #include "checkpoint/checkpoint_file.h"
 
+#include <cstdio>
+
 #include "fluidymation/core/error.h"
 #include "io/input_file.h"
 
 namespace fluidymation {
 namespace {
 
-/// No state is larger: the field takes 25 bytes a pixel, all else is small.
+/// No state is larger. One of another run may have more frames than this one, and is still to be
+/// told in what it differs.
 [[nodiscard]] std::int64_t mostBytes(const CheckpointLimits& limits) {
-  constexpr std::int64_t kPixelBytes = 32;
-  constexpr std::int64_t kOtherBytes = 256 << 20;
-  return kPixelBytes * limits.target.width * limits.target.height + kOtherBytes;
+  constexpr std::int64_t kPixelBytes = 25;        // flags, match, movement owed
+  constexpr std::int64_t kRecordBytes = 25;       // flag, digest, seconds
+  constexpr std::int64_t kFileBytes = 20;         // number, digest
+  constexpr std::int64_t kOptionBytes = 1 << 10;  // name and value: lists of 32 numbers at most
+  constexpr std::int64_t kOtherBytes = 1 << 10;   // mark, version, box, digest
+  return kPixelBytes * limits.target.width * limits.target.height +
+         (kRecordBytes + kFileBytes * static_cast<std::int64_t>(kMostInputs)) *
+             static_cast<std::int64_t>(kMostFrames) +
+         kOptionBytes * static_cast<std::int64_t>(kMostOptions + kMostInputs) + kOtherBytes;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "fluidymation/core/error.h"
+
 namespace fluidymation {
 namespace {
 
@@ -72,6 +74,13 @@ void compare(const InputDigests& had, const InputDigests& now, Sentence& sentenc
                 changed == 1 ? " has" : " have", " changed"});
 }
 
+[[nodiscard]] std::size_t countOf(std::size_t leastBytes, std::size_t most, const char* what,
+                                  ByteReader& bytes) {
+  const std::size_t count = bytes.count(leastBytes, what);
+  if (count <= most) return count;
+  throw Error(std::string("it is damaged: ") + what + " is out of range");
+}
+
 }  // namespace
 
 std::optional<std::string> difference(const Fingerprint& had, const Fingerprint& now) {
@@ -128,16 +137,16 @@ Fingerprint readFingerprint(ByteReader& bytes) {
   constexpr std::size_t kFileBytes = 20;  // number and digest
   Fingerprint fingerprint;
   fingerprint.version = bytes.text("the version");
-  const std::size_t options = bytes.count(2 * kTextBytes, "the number of options");
+  const std::size_t options = countOf(2 * kTextBytes, kMostOptions, "the number of options", bytes);
   for (std::size_t i = 0; i < options; ++i) {
     std::string option = bytes.text("an option's name");
     fingerprint.options.emplace_back(std::move(option), bytes.text("an option's value"));
   }
-  const std::size_t inputs = bytes.count(2 * kTextBytes, "the number of inputs");
+  const std::size_t inputs = countOf(2 * kTextBytes, kMostInputs, "the number of inputs", bytes);
   for (std::size_t i = 0; i < inputs; ++i) {
     InputDigests input;
     input.option = bytes.text("an input's name");
-    input.files.resize(bytes.count(kFileBytes, "the number of an input's files"));
+    input.files.resize(countOf(kFileBytes, kMostFrames, "the number of an input's files", bytes));
     for (InputDigests::File& file : input.files) {
       file.number = bytes.number(std::numeric_limits<int>::min(), std::numeric_limits<int>::max(),
                                  "a file's number");

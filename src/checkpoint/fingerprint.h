@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,8 +9,14 @@
 #include "checkpoint/byte_reader.h"
 #include "checkpoint/byte_writer.h"
 #include "fluidymation/io/digest.h"
+#include "fluidymation/option_ranges.h"
 
 namespace fluidymation {
+
+// What a run can have at most: what is read is not trusted.
+inline constexpr std::size_t kMostOptions = 64;  ///< the command line has fewer
+inline constexpr std::size_t kMostInputs = 5;    ///< film, masks, target and two flows
+inline constexpr auto kMostFrames = static_cast<std::size_t>(ranges::kFrameCounts.high);
 
 /// The files of one input option.
 struct InputDigests {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -17,7 +19,15 @@ using SortedJson = nlohmann::json;    // for what others wrote: finds names amon
 
 constexpr const char* kProgram = "fluidymation";
 constexpr int kFormat = 1;
-constexpr std::int64_t kMostBytes = 256 << 20;
+
+/// No manifest is larger, with names of 255 bytes.
+constexpr std::int64_t kFileBytes = 64;     // number, digest, and what JSON puts round them
+constexpr std::int64_t kFrameBytes = 900;   // likewise, and a name; U+FFFD takes three bytes
+constexpr std::int64_t kTextBytes = 16384;  // name and value: a path of 4000 bytes, each as U+FFFD
+constexpr std::int64_t kMostBytes =
+    (kFrameBytes + kFileBytes * static_cast<std::int64_t>(kMostInputs)) *
+        static_cast<std::int64_t>(kMostFrames) +
+    kTextBytes * static_cast<std::int64_t>(kMostOptions + 2 * kMostInputs);
 
 [[nodiscard]] std::vector<std::uint8_t> bytesOf(const Json& json) {
   const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -44,12 +54,24 @@ constexpr std::int64_t kMostBytes = 256 << 20;
   return *digest;
 }
 
-[[nodiscard]] int numberIn(const std::string& text) {
+[[nodiscard]] int numberOf(const std::string& text) {
   int number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, number);
   if (failure != std::errc{} || stop != end) throw Error("holds a frame number that is none");
   return number;
+}
+
+/// Written so that no number wraps, and none with a fraction passes.
+[[nodiscard]] int numberIn(const SortedJson& json) {
+  constexpr std::int64_t kLeast = std::numeric_limits<int>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  const bool fits = json.is_number_unsigned()
+                        ? json.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMost)
+                        : json.is_number_integer() && json.get<std::int64_t>() >= kLeast &&
+                              json.get<std::int64_t>() <= kMost;
+  if (!fits) throw Error("holds a number that is none, or out of range");
+  return json.get<int>();
 }
 
 void sortByNumber(InputDigests& input) {
@@ -71,7 +93,7 @@ void sortByNumber(InputDigests& input) {
   if (!json.is_object() || json.value("program", "") != kProgram) {
     throw Error("is no manifest of fluidymation");
   }
-  if (const auto format = json.at("format").get<std::int64_t>(); format != kFormat) {
+  if (const auto format = numberIn(json.at("format")); format != kFormat) {
     throw Error("has format " + std::to_string(format) + "; wanted " + std::to_string(kFormat));
   }
   Manifest manifest;
@@ -79,19 +101,34 @@ void sortByNumber(InputDigests& input) {
   manifest.complete = json.at("complete").get<bool>();
   manifest.paths = valuesOf(json.at("paths"));
   manifest.fingerprint.options = valuesOf(json.at("options"));
+  if (manifest.fingerprint.options.size() > kMostOptions ||
+      json.at("inputs").size() > kMostInputs || json.at("frames").size() > kMostFrames) {
+    throw Error("holds more than a run can have");
+  }
   for (const auto& [option, files] : json.at("inputs").items()) {
     InputDigests input{option, {}};
+    if (files.size() > kMostFrames) throw Error("holds more than a run can have");
     for (const auto& [number, digest] : files.items()) {
-      input.files.push_back({numberIn(number), digestIn(digest)});
+      input.files.push_back({numberOf(number), digestIn(digest)});
     }
     sortByNumber(input);
     manifest.fingerprint.inputs.push_back(std::move(input));
   }
   for (const SortedJson& frame : json.at("frames")) {
-    manifest.frames.push_back({frame.at("number").get<int>(), fileNameIn(frame.at("file")),
-                               digestIn(frame.at("xxh128"))});
+    manifest.frames.push_back(
+        {numberIn(frame.at("number")), fileNameIn(frame.at("file")), digestIn(frame.at("xxh128"))});
   }
   return manifest;
+}
+
+[[nodiscard]] Manifest parsed(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  try {
+    return manifestIn(SortedJson::parse(bytes.begin(), bytes.end()));
+  } catch (const SortedJson::exception&) {
+    throw Error(path + ": is damaged, or no manifest of fluidymation");
+  } catch (const Error& error) {
+    throw Error(path + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -123,13 +160,12 @@ std::vector<std::uint8_t> encode(const Manifest& manifest) {
 }
 
 Manifest readManifest(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = readWhole(path, kMostBytes, "a manifest of fluidymation");
   try {
-    return manifestIn(SortedJson::parse(bytes.begin(), bytes.end()));
-  } catch (const SortedJson::exception&) {
-    throw Error(path + ": is damaged, or no manifest of fluidymation");
-  } catch (const Error& error) {
-    throw Error(path + ": " + error.what());
+    const std::vector<std::uint8_t> bytes =
+        readWhole(path, kMostBytes, "a manifest of fluidymation");
+    return parsed(path, bytes);
+  } catch (const std::bad_alloc&) {
+    throw Error(path + ": is too large for the memory");
   }
 }
 

@@ -9,9 +9,10 @@
 namespace fluidymation {
 
 /// Where a run keeps what it knows of itself, beside its frames. All names begin with what the
-/// frames' names have round their number, so that patterns that share a folder stay apart:
+/// frames' names have round their number, so that layers may share a folder:
 /// "out/fluidymation.json" goes with "out/%05d.png", "out/rim_fluidymation.json" with
-/// "out/rim_%05d.png".
+/// "out/rim_%05d.png". Patterns that differ in the number's place or width only, or in the ending,
+/// have the same names: a run refuses the manifest of the other.
 class RunFiles {
  public:
   explicit RunFiles(const FramePattern& frames);

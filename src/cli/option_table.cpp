@@ -1,9 +1,10 @@
 #include "cli/option_table.h"
 
-#include <array>
 #include <optional>
-#include <utility>
+#include <string>
+#include <vector>
 
+#include "cli/table_builder.h"
 #include "cli/values.h"
 #include "fluidymation/automatic.h"
 #include "fluidymation/core/error.h"
@@ -14,200 +15,11 @@ namespace fluidymation::cli {
 namespace {
 
 // Groups of the help text.
-constexpr const char* kFiles = "Inputs and outputs";
 constexpr const char* kLook = "Look";
 constexpr const char* kSequences = "Sequences";
 constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
 constexpr const char* kSynthesis = "Synthesis";
-constexpr const char* kGoingOn = "Stopping and going on";
-
-/// Finds a field in a CommandLine, to read its default and to set it.
-template <typename T>
-using Field = T& (*)(CommandLine&);
-
-template <typename T>
-[[nodiscard]] T defaultOf(Field<T> field) {
-  CommandLine defaults;
-  return field(defaults);
-}
-
-[[nodiscard]] std::string facts(const std::string& defaultText, const std::string& unit,
-                                const std::string& range, const std::string& section) {
-  return "\n(default " + defaultText + (unit.empty() ? "" : " " + unit) +
-         (range.empty() ? "" : "; in " + range) + "; " + section + ")";
-}
-
-/// The words that an option takes, and what each stands for.
-template <typename T>
-using Words = std::vector<std::pair<std::string, T>>;
-
-template <typename T>
-[[nodiscard]] std::string wordFor(const Words<T>& words, T wanted) {
-  for (const auto& [word, value] : words) {
-    if (value == wanted) return word;
-  }
-  return {};
-}
-
-template <typename T>
-[[nodiscard]] T parseWord(const std::string& option, const std::string& text,
-                          const Words<T>& words) {
-  std::string wanted;
-  for (const auto& [word, value] : words) {
-    if (text == word) return value;
-    wanted += (wanted.empty() ? "" : " or ") + word;
-  }
-  throw UsageError(shown(option, text) + ": wanted " + wanted);
-}
-
-/// The table, built by one function a kind of value.
-class Table {
- public:
-  using PatternCheck = void (*)(const std::string& option, const std::string& pattern);
-
-  void pattern(const char* name, const char* what, const char* section, Field<std::string> field,
-               PatternCheck check = checkPattern) {
-    const std::string option = name;
-    specs_.push_back({option, kFiles, "PATTERN",
-                      std::string(what) + "\n(required; " + section + ")", true,
-                      [option, field, check](CommandLine& line, const std::string& value) {
-                        check(option, value);
-                        field(line) = value;
-                      }});
-  }
-
-  void optionalPattern(const char* name, const char* what, const char* section,
-                       Field<std::optional<std::string>> field) {
-    const std::string option = name;
-    specs_.push_back({option, kFiles, "PATTERN", what + facts("off", "", "", section), false,
-                      [option, field](CommandLine& line, const std::string& value) {
-                        if (value.empty()) {
-                          throw UsageError(shown(option, value) + ": wanted a path with a number");
-                        }
-                        checkPattern(option, value);
-                        field(line) = value;
-                      }});
-  }
-
-  void integer(const char* name, const char* group, const char* what, const char* unit,
-               const Range& range, const char* section, Field<int> field, bool zeroAllowed = true) {
-    const std::string option = name;
-    specs_.push_back(
-        {option, group, "N",
-         what + facts(std::to_string(defaultOf(field)), unit,
-                      range.text() + (zeroAllowed ? "" : ", not 0"), section),
-         false, [option, range, zeroAllowed, field](CommandLine& line, const std::string& value) {
-           field(line) = parseInt(option, value, range, zeroAllowed);
-         }});
-  }
-
-  void real(const char* name, const char* group, const char* what, const char* unit,
-            const Range& range, const char* section, Field<float> field) {
-    const std::string option = name;
-    specs_.push_back({option, group, "X",
-                      what + facts(numberText(defaultOf(field)), unit, range.text(), section),
-                      false, [option, range, field](CommandLine& line, const std::string& value) {
-                        field(line) = parseFloat(option, value, range);
-                      }});
-  }
-
-  void real(const char* name, const char* group, const char* what, const char* unit,
-            const Range& range, const char* section, Field<double> field) {
-    const std::string option = name;
-    specs_.push_back({option, group, "X",
-                      what + facts(numberText(defaultOf(field)), unit, range.text(), section),
-                      false, [option, range, field](CommandLine& line, const std::string& value) {
-                        field(line) = parseDouble(option, value, range);
-                      }});
-  }
-
-  void integers(const char* name, const char* group, const char* what, const Range& range,
-                const char* section, Field<std::vector<int>> field) {
-    const std::string option = name;
-    specs_.push_back(
-        {option, group, "N,N,...",
-         what + facts(listText(defaultOf(field)), "",
-                      range.text() + ", 1 to " + std::to_string(ranges::kLongestList) + " numbers",
-                      section),
-         false, [option, range, field](CommandLine& line, const std::string& value) {
-           field(line) = parseIntList(option, value, range);
-         }});
-  }
-
-  /// A number in px of a field that is found from the inputs where it is not given.
-  void automatic(const char* name, const char* group, const char* what,
-                 const std::string& automaticValue, const Range& range, const char* section,
-                 Field<std::optional<float>> field) {
-    const std::string option = name;
-    specs_.push_back({option, group, "X",
-                      std::string(what) + "\n(default " + automaticValue + ";\nin " + range.text() +
-                          " px; " + section + ")",
-                      false, [option, range, field](CommandLine& line, const std::string& value) {
-                        field(line) = parseFloat(option, value, range);
-                      }});
-  }
-
-  /// One of a few words.
-  template <typename T>
-  void word(const char* name, const char* group, const char* what, const Words<T>& words,
-            const char* section, Field<T> field) {
-    const std::string option = name;
-    specs_.push_back({option, group, "NAME",
-                      what + facts(wordFor(words, defaultOf(field)), "", "", section), false,
-                      [option, words, field](CommandLine& line, const std::string& value) {
-                        field(line) = parseWord(option, value, words);
-                      }});
-  }
-
-  void add(Spec spec) { specs_.push_back(std::move(spec)); }
-
-  [[nodiscard]] std::vector<Spec> take() { return std::move(specs_); }
-
- private:
-  std::vector<Spec> specs_;
-};
-
-void addFiles(Table& table) {
-  table.pattern("--src-path", "exemplar frames, PNG, e.g. leaf/rgb/%05d.png", "thesis §3.1",
-                [](CommandLine& c) -> std::string& { return c.options.source.path; });
-  table.pattern("--src-mask-path", "masks of the exemplar, numbered as --src-path", "thesis §3.1",
-                [](CommandLine& c) -> std::string& { return c.options.sourceMaskPath; });
-  table.pattern("--target-path", "masks of the animation to paint", "thesis §3.1",
-                [](CommandLine& c) -> std::string& { return c.options.target.path; });
-  table.pattern(
-      "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
-      [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
-  table.optionalPattern("--src-flow-path",
-                        "the exemplar's motion, .flo or KITTI PNG, not derived from\n"
-                        "masks; unknown vectors count as 0: fill holes before",
-                        "paper §3", [](CommandLine& c) -> std::optional<std::string>& {
-                          return c.options.sourceFlowPath;
-                        });
-  table.optionalPattern(
-      "--target-flow-path", "the same for the animation", "paper §3",
-      [](CommandLine& c) -> std::optional<std::string>& { return c.options.targetFlowPath; });
-  table.word<FlowConvention>(
-      "--flow-convention", kFiles,
-      "file n is seen on frame n; backward: how it came from n-1;\n"
-      "forward: how it goes on to n+1",
-      {{"backward", FlowConvention::kBackward}, {"forward", FlowConvention::kForward}},
-      "not in the thesis",
-      [](CommandLine& c) -> FlowConvention& { return c.options.flowConvention; });
-  table.integer("--compression-level", kFiles,
-                "of the painted frames; 0 is fastest, 9 smallest: all have the\nsame pixels", "",
-                ranges::kCompressionLevels, "not in the thesis",
-                [](CommandLine& c) -> int& { return c.options.compressionLevel; });
-  table.add({"--dump-guides", kFiles, "DIR",
-             "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
-             "thesis)",
-             false, [](CommandLine& line, const std::string& value) {
-               if (value.empty()) {
-                 throw UsageError(shown("--dump-guides", value) + ": wanted a folder's name");
-               }
-               line.options.dumpGuidesDirectory = value;
-             }});
-}
 
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
@@ -421,49 +233,6 @@ void addSynthesis(Table& table) {
              false, [](CommandLine& line, const std::string& value) {
                line.options.synthesis.seed = parseSeed("--seed", value);
              }});
-}
-
-void addGoingOn(Table& table) {
-  table.add(
-      {"--resume", kGoingOn, "",
-       "go on after the last frame that a stopped run has saved a\nstate of: the same bytes as "
-       "without a stop\n(default off)",
-       false,
-       [](CommandLine& line, const std::string&) { line.options.continuation.resume = true; }});
-  table.add(
-      {"--restart", kGoingOn, "",
-       "discard what a stopped run has left, and begin anew\n(default off)", false,
-       [](CommandLine& line, const std::string&) { line.options.continuation.restart = true; }});
-  table.add({"--checkpoint-every", kGoingOn, "N",
-             "frames from one saved state to the next\n(default as often as costs 2 % of the time; "
-             "in " +
-                 ranges::kCheckpointFrames.text() + ")",
-             false, [](CommandLine& line, const std::string& value) {
-               line.options.continuation.checkpointEvery =
-                   parseInt("--checkpoint-every", value, ranges::kCheckpointFrames);
-             }});
-  table.add({"--keep-states", kGoingOn, "",
-             "keep all saved states, for --render-frames\n(default off: the last one, until all is "
-             "painted)",
-             false, [](CommandLine& line, const std::string&) {
-               line.options.continuation.keepStates = true;
-             }});
-  table.add({"--render-frames", kGoingOn, "A-B",
-             "paint only these of the animation's frames, guided by all of\nthem; as in a full run "
-             "where a state of the frame before A is\nsaved, else afresh\n(default all)",
-             false, [](CommandLine& line, const std::string& value) {
-               line.options.continuation.render = parseFrameNumbers("--render-frames", value);
-             }});
-  table.add(
-      {"--verify", kGoingOn, "MANIFEST",
-       "paint nothing; compare the frames beside a manifest,\nfluidymation.json, with what it "
-       "says of them\n(default off)",
-       false, [](CommandLine& line, const std::string& value) {
-         if (value.empty()) {
-           throw UsageError(shown("--verify", value) + ": wanted a manifest's name");
-         }
-         line.manifest = value;
-       }});
 }
 
 void addRunning(Table& table) {

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <vector>

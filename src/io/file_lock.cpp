@@ -26,12 +26,15 @@ namespace {
   return "process " + std::to_string(getpid()) + " on host " + host.data();
 }
 
-/// The holder's words, as far as they are short and printable.
+[[nodiscard]] bool isUnprintable(char c) { return c < ' ' || c > '~'; }
+
+/// The holder's words, as far as they are short; what is not printable is replaced.
 [[nodiscard]] std::string contentOf(int descriptor) {
   std::array<char, 300> buffer{};
   const ssize_t count = pread(descriptor, buffer.data(), buffer.size(), 0);
   std::string text(buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
   text.erase(std::find(text.begin(), text.end(), '\n'), text.end());
+  std::replace_if(text.begin(), text.end(), isUnprintable, '?');
   return text;
 }
 
@@ -43,9 +46,9 @@ namespace {
          named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
-enum class Attempt { kLocked, kHeldByOther, kNoLocksHere };
+enum class Attempt { kLocked, kHeldByOther, kNoLocksHere, kFailed };
 
-[[nodiscard]] Attempt tryLock(const std::string& path, int descriptor) {
+[[nodiscard]] Attempt tryLock(int descriptor) {
   while (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     switch (errno) {
       case EINTR:
@@ -58,7 +61,7 @@ enum class Attempt { kLocked, kHeldByOther, kNoLocksHere };
       case EINVAL:
         return Attempt::kNoLocksHere;
       default:
-        fail(path, errno);
+        return Attempt::kFailed;  // errno says why
     }
   }
   return Attempt::kLocked;
@@ -71,7 +74,12 @@ FileLock::FileLock(std::string path, const std::string& work) : path_(std::move(
     constexpr mode_t kMode = 0666;  // less the user's mask
     descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, kMode);
     if (descriptor_ < 0) fail(path_, errno);
-    const Attempt attempt = tryLock(path_, descriptor_);
+    const Attempt attempt = tryLock(descriptor_);
+    if (attempt == Attempt::kFailed) {
+      const int code = errno;
+      close(descriptor_);
+      fail(path_, code);
+    }
     if (attempt == Attempt::kHeldByOther) {
       const std::string holder = contentOf(descriptor_);
       close(descriptor_);
@@ -82,6 +90,7 @@ FileLock::FileLock(std::string path, const std::string& work) : path_(std::move(
     if (!held_ || isStillThere(path_, descriptor_)) break;
     close(descriptor_);  // the holder has just gone, and its file too
   }
+  if (!held_) return;  // the words in it may be those of another run
   abandonedBy_ = contentOf(descriptor_);
   const std::string holder = thisProcess() + "\n";
   // For people to read; the lock holds without it, on a full disk too.
@@ -92,12 +101,12 @@ FileLock::FileLock(std::string path, const std::string& work) : path_(std::move(
 FileLock::FileLock(FileLock&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      held_(other.held_),
+      held_(std::exchange(other.held_, false)),
       abandonedBy_(std::move(other.abandonedBy_)) {}
 
 FileLock::~FileLock() {
   if (descriptor_ < 0) return;
-  unlink(path_.c_str());
+  if (held_) unlink(path_.c_str());
   close(descriptor_);
 }
 

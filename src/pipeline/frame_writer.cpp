@@ -1,6 +1,5 @@
 #include "pipeline/frame_writer.h"
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 

@@ -1,6 +1,7 @@
 #include "pipeline/option_texts.h"
 
 #include "fluidymation/option_ranges.h"
+#include "fluidymation/presets.h"
 
 namespace fluidymation {
 namespace {
@@ -18,25 +19,29 @@ namespace {
   return numberText(bounds.upper) + "," + numberText(bounds.lower);
 }
 
+/// Whether the values that have no option are those of the preset. Bounds in pixels have one.
+[[nodiscard]] bool hasRulesOf(const Options& preset, const SynthesisOptions& synthesis) {
+  const ModulationBounds& bounds = synthesis.prevModulation;
+  const ModulationBounds& wanted = preset.synthesis.prevModulation;
+  const bool haveBounds =
+      bounds.unit == ModulationUnit::kPixels ||
+      (bounds.unit == wanted.unit && bounds.upper == wanted.upper && bounds.lower == wanted.lower);
+  return haveBounds && synthesis.edgeGain == preset.synthesis.edgeGain &&
+         synthesis.shape.modulation == preset.synthesis.shape.modulation;
+}
+
 /// The values that have no option but --preset.
 [[nodiscard]] std::string presetText(const SynthesisOptions& synthesis) {
+  const Options standard;
+  Options thesis;
+  applyThesisPreset(thesis);
+  Options paper;
+  applyPaperPreset(paper);
+  if (hasRulesOf(standard, synthesis)) return "standard";
+  if (hasRulesOf(thesis, synthesis)) return "thesis";
+  if (hasRulesOf(paper, synthesis)) return "paper";
   const ModulationBounds& bounds = synthesis.prevModulation;
   const bool clamped = synthesis.shape.modulation == ModulationDistance::kClamped;
-  const auto boundsAre = [&](ModulationUnit unit, float upper, float lower) {
-    return bounds.unit == ModulationUnit::kPixels ||
-           (bounds.unit == unit && bounds.upper == upper && bounds.lower == lower);
-  };
-  if (synthesis.edgeGain == 4.0F && clamped &&
-      boundsAre(ModulationUnit::kBorderWidths, 1.0F, 0.2F)) {
-    return "standard";
-  }
-  if (synthesis.edgeGain == 1.0F && clamped && bounds.unit == ModulationUnit::kPixels) {
-    return "thesis";
-  }
-  if (synthesis.edgeGain == 1.0F && !clamped &&
-      boundsAre(ModulationUnit::kTargetSides, 0.1F, 0.01F)) {
-    return "paper";
-  }
   std::string text = "edge gain " + numberText(synthesis.edgeGain);
   if (!clamped) text += ", modulation unclamped";
   if (bounds.unit == ModulationUnit::kBorderWidths) {

@@ -38,12 +38,18 @@ RunJournal::RunJournal(RunIdentity run, FrameSpan wanted, const StartingPoint& s
       paths_(std::move(paths)),
       keepStates_(options.keepStates),
       startsAnew_(!start.state && isWhole(wanted, run_)),
+      restarts_(options.restart),
       statePath_(start.statePath),
       clock_(options.checkpointEvery) {}
 
 void RunJournal::discardOldStates() const {
-  if (!startsAnew_) return;
-  for (const auto& [number, path] : run_.files.states()) removeQuietly(path);
+  if (startsAnew_) {
+    for (const auto& [number, path] : run_.files.states()) removeQuietly(path);
+  } else if (restarts_) {
+    for (int j = wanted_.begin; j < wanted_.end; ++j) {
+      removeQuietly(run_.files.state(run_.numbers[at(j)]));
+    }
+  }
 }
 
 void RunJournal::frameWritten(int frame, const Digest& digest,

@@ -4,16 +4,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checkpoint/manifest.h"
+#include "fluidymation/checkpoint_share.h"
 #include "pipeline/starting_point.h"
 
 namespace fluidymation {
 
-/// The largest share of a run's time that goes into saved states unless `--checkpoint-every` says
-/// how often they are saved.
-inline constexpr double kCheckpointShare = 0.02;
+/// What the first state is expected to take, before any was saved: the upper end of what the
+/// horse's takes to be taken, encoded and written (docs/performance.md).
+inline constexpr double kFirstSavingSeconds = 0.02;
 
 /// When a state is due.
 class CheckpointClock {
@@ -33,7 +35,7 @@ class CheckpointClock {
  private:
   std::optional<int> every_;
   Seconds total_{0.0};
-  Seconds last_{0.02};  ///< what the first is expected to take
+  Seconds last_{kFirstSavingSeconds};
 };
 
 /// Keeps what a run knows of itself on the disk while it paints: states to go on from, and the
@@ -44,7 +46,8 @@ class RunJournal {
              std::vector<std::pair<std::string, std::string>> paths,
              const ContinuationOptions& options);
 
-  /// Forgets states that no run can go on from any more, where all frames are painted anew.
+  /// Forgets states that no run can go on from any more, where all frames are painted anew; those
+  /// of the part that is painted anew where the user restarts a part.
   void discardOldStates() const;
 
   /// A frame is on the disk; frames come in order.
@@ -74,6 +77,7 @@ class RunJournal {
   std::vector<std::pair<std::string, std::string>> paths_;
   bool keepStates_;
   bool startsAnew_;
+  bool restarts_;
   std::string statePath_;  ///< of the state on the disk that belongs to this run; may be empty
   std::shared_ptr<const SynthesisState> latest_;  ///< still to be saved; may be none
   CheckpointClock clock_;

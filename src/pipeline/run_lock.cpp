@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "fluidymation/core/error.h"
 #include "fluidymation/io/atomic_file.h"
 
 namespace fluidymation {
@@ -17,12 +18,17 @@ RunLock::~RunLock() {
 
 void RunLock::takeIfUsed() {
   std::error_code ignored;
-  if (std::filesystem::is_directory(files_.hiddenFolder(), ignored)) lock();
+  if (std::filesystem::is_directory(files_.hiddenFolder(), ignored)) lockIfThere();
 }
 
 std::string RunLock::take() {
-  createFolder(files_.hiddenFolder());
-  if (!lock_) lock();
+  const bool isFresh = !lock_;
+  do createFolder(files_.hiddenFolder());
+  while (!lock_ && !lockIfThere());
+  if (isFresh && !files_.states().empty()) {
+    throw Error(files_.hiddenFolder() +
+                ": another run has left a state while this one began; wanted another try");
+  }
   if (!lock_->isHeld()) {
     return files_.lock() +
            ": this file system has no locks; see to it that no other run paints "
@@ -36,6 +42,15 @@ std::string RunLock::take() {
   return files_.lock() + ": taken over from " + lock_->abandonedBy() + ", which is gone";
 }
 
-void RunLock::lock() { lock_.emplace(files_.lock(), "painting " + files_.pattern()); }
+bool RunLock::lockIfThere() {
+  try {
+    lock_.emplace(files_.lock(), "painting " + files_.pattern());
+  } catch (const Error&) {
+    std::error_code ignored;
+    if (std::filesystem::exists(files_.hiddenFolder(), ignored)) throw;
+    return false;
+  }
+  return true;
+}
 
 }  // namespace fluidymation

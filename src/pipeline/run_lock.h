@@ -24,11 +24,14 @@ class RunLock {
 
   /// Takes the lock unless it is held, creates the hidden folder, and removes what runs that were
   /// killed have left half written. @throws Error likewise.
+  /// Also where the lock was free before and another run has left states meanwhile: nobody has
+  /// decided what becomes of them.
   /// @return  one sentence for the user where such a run was found; else empty.
   [[nodiscard]] std::string take();
 
  private:
-  void lock();
+  /// @return  whether the folder is there: the run that made it may just have removed it.
+  bool lockIfThere();
 
   RunFiles files_;
   std::optional<FileLock> lock_;

@@ -28,6 +28,25 @@ constexpr const char* kRestartHint = "--restart discards it and begins anew";
   }
 }
 
+/// @throws Error where the manifest tells of frames with other names: patterns that differ in the
+/// number's place or width, or in the ending, have one manifest.
+void requireSameNames(const Manifest& manifest, const RunIdentity& run) {
+  constexpr const char* kReplaced = "\xEF\xBF\xBD";  // for a byte that is no UTF-8
+  const auto nameOf = [](const FramePattern& pattern) {
+    return std::filesystem::path(pattern.path(0)).filename();
+  };
+  for (const auto& [option, value] : manifest.paths) {
+    if (option != "--out-path" || value.find(kReplaced) != std::string::npos) continue;
+    try {
+      if (nameOf(FramePattern(value)) == nameOf(FramePattern(run.files.pattern()))) continue;
+    } catch (const UsageError&) {
+      continue;  // somebody has edited it
+    }
+    throw Error(run.files.manifest() + ": is of the frames " + value + ", not of " +
+                run.files.pattern() + "; wanted another name or folder; " + kRestartHint);
+  }
+}
+
 /// What the manifest tells of the frames, where it is one of this run.
 [[nodiscard]] FrameRecords recordsOf(const std::optional<Manifest>& manifest,
                                      const RunIdentity& run) {
@@ -71,11 +90,16 @@ constexpr const char* kRestartHint = "--restart discards it and begins anew";
   return newest;
 }
 
-/// Takes over what the checkpoint knows.
+/// Takes over what the checkpoint knows. Of the frames after it the manifest may know more: other
+/// parts may have been painted since. `start.known` comes with what the manifest knows.
 void goOnFrom(Checkpoint checkpoint, StartingPoint& start) {
   start.span.begin = checkpoint.next();
   start.chainBegin = checkpoint.begin;
-  start.known = std::move(checkpoint.frames);
+  const FrameRecords told = std::exchange(start.known, std::move(checkpoint.frames));
+  for (std::size_t j = at(start.span.begin); j < told.size(); ++j) {
+    std::optional<FrameRecord>& known = start.known[j];
+    if (told[j] && (!known || known->digest != told[j]->digest)) known = told[j];
+  }
   start.state = std::move(checkpoint.synthesis);
 }
 
@@ -117,6 +141,11 @@ void resumeFrom(const std::string& path, FrameSpan wanted, const RunIdentity& ru
   }
 }
 
+[[nodiscard]] std::string afreshNote(const RunIdentity& run, int frame, const std::string& reason) {
+  return "frame " + std::to_string(run.numbers[at(frame)]) +
+         " starts afresh and looks other than after the frames before it: " + reason;
+}
+
 /// Begins with a frame that is not the target's first: from the state of the frame before it, where
 /// there is one.
 void beginInside(const RunIdentity& run, StartingPoint& start) {
@@ -129,9 +158,7 @@ void beginInside(const RunIdentity& run, StartingPoint& start) {
       FoundCheckpoint found = readCheckpoint(path, run.fingerprint, run.limits);
       if (found.checkpoint && found.checkpoint->next() == start.span.begin &&
           found.checkpoint->begin == 0) {
-        FrameRecords known = std::move(start.known);
         goOnFrom(std::move(*found.checkpoint), start);
-        for (std::size_t j = at(start.span.begin); j < known.size(); ++j) start.known[j] = known[j];
         start.note = "going on after the state of frame " + before;
         return;
       }
@@ -142,8 +169,7 @@ void beginInside(const RunIdentity& run, StartingPoint& start) {
     }
   }
   start.chainBegin = start.span.begin;
-  start.note = "frame " + std::to_string(run.numbers[at(start.span.begin)]) +
-               " starts afresh and looks other than after the frames before it: " + reason;
+  start.note = afreshNote(run, start.span.begin, reason);
 }
 
 /// @throws Error where a run over the whole target was stopped and may be gone on with.
@@ -193,8 +219,16 @@ StartingPoint findStart(const ContinuationOptions& options, FrameSpan wanted,
   if (options.restart && isWhole(wanted, run)) return start;
 
   const std::optional<Manifest> manifest = manifestOf(run.files);
+  if (options.restart) {
+    start.known = recordsOf(manifest, run);
+    start.chainBegin = wanted.begin;
+    if (wanted.begin > 0) start.note = afreshNote(run, wanted.begin, "--restart was given");
+    return start;
+  }
+  if (manifest) requireSameNames(*manifest, run);
   if (options.resume) {
     if (const auto state = newestState(run, wanted)) {
+      start.known = recordsOf(manifest, run);
       resumeFrom(*state, wanted, run, beforeEach, start);
       return start;
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 
 #include "fluidymation/pipeline.h"
 #include "fluidymation/synthesis/stages.h"

@@ -372,6 +372,48 @@ TEST_F(Resume, APartIsResumedToo) {
   EXPECT_TRUE(filesOf(scene_.file("out")) == whole);
 }
 
+TEST_F(Resume, ARestartedPartStartsAfresh) {
+  EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--keep-states", ""}}))).exitCode, 0);
+  const ProcessResult result =
+      scene_.paint(everyFrame({{"--render-frames", "2-3"}, {"--restart", ""}}));
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.err.find("fluidymation: note: frame 2 starts afresh and looks other than after "
+                            "the frames before it: --restart was given\nframe 2 of 3 "),
+            0U)
+      << result.err;
+  EXPECT_NE(scene_.read(SmallScene::frame("out", 2)), expected_.at("00002.png"));
+  std::vector<std::string> left = states();
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left,
+            (std::vector<std::string>{"state-1.bin", "state-3.bin", "state-4.bin", "state-5.bin"}));
+}
+
+TEST_F(Resume, APartThatIsGoneOnWithKeepsWhatIsKnownOfOthers) {
+  const ToolOptions slow = {{"--opt-iterations", "400"}};
+  const auto part = [&](const char* frames) {
+    ToolOptions options = everyFrame(slow);
+    options["--render-frames"] = frames;
+    return options;
+  };
+  stopAfter(2, SIGKILL, part("1-4"));
+  ASSERT_FALSE(states().empty());
+  EXPECT_EQ(scene_.paint(quietly(part("5-6"))).exitCode, 0);
+  ToolOptions goingOn = part("1-4");
+  goingOn["--resume"] = "";
+  EXPECT_EQ(scene_.paint(quietly(goingOn)).exitCode, 0);
+  EXPECT_EQ(scene_.paintWithoutDefaults({{"--verify", kManifest}}).out,
+            std::string(kManifest) + ": 6 frames are as painted\n");
+}
+
+TEST_F(Resume, FramesWithOtherNamesAreNotTakenForThese) {
+  EXPECT_EQ(scene_.paint(quietly(everyFrame())).exitCode, 0);
+  EXPECT_TRUE(
+      failedNaming(1, "out/fluidymation.json: is of the frames out/%05d.png, not of out/%04d.png",
+                   {"wanted another name or folder"},
+                   scene_.paint(quietly(everyFrame({{"--out-path", "out/%04d.png"}})))));
+  EXPECT_EQ(scene_.read(kManifest), manifest_);
+}
+
 TEST_F(Resume, PartsAreGivenByTheTargetsOwnNumbers) {
   const auto complaint = [&](const char* part) {
     return scene_.paint(quietly(everyFrame({{"--render-frames", part}})));

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "checkpoint/fingerprint.h"
 #include "cli/command_line_arguments.h"
 #include "cli/option_table.h"
 
@@ -35,6 +36,20 @@ TEST(OptionTexts, GiveTheSameOptionsOnTheCommandLine) {
   }
   // Flow files say how things move, so that not all options go together.
   for (const Reaching& o : reachingOptions()) expectComesBack(complete({o.option, o.value}));
+}
+
+TEST(OptionTexts, AreNoMoreThanAStateCanHave) { EXPECT_LE(optionTable().size(), kMostOptions); }
+
+TEST(OptionTexts, NameThePresetWhoseRulesApply) {
+  for (const char* preset : {"standard", "thesis", "paper"}) {
+    for (const Arguments& more : {Arguments{}, Arguments{"--prev-modulation-bounds", "9,3"}}) {
+      Arguments arguments = {"--preset", preset};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const OptionTexts texts = shapingOptions(parse(complete(arguments)).options);
+      ASSERT_EQ(texts.front().first, "--preset");
+      EXPECT_EQ(texts.front().second, preset);
+    }
+  }
 }
 
 /// Options that change no byte of a frame, and those that stand for several others.

@@ -156,6 +156,26 @@ TEST(CheckpointTest, OneOfAnotherRunSaysInWhatItDiffers) {
   EXPECT_EQ(differs, "--lambda was 2, now 3");
 }
 
+TEST(CheckpointTest, OneWithMoreThanARunCanHaveIsRefused) {
+  Fingerprint many = fingerprint();
+  many.options.assign(kMostOptions + 1, {"--lambda", "2"});
+  std::string differs;
+  const auto complaint = [&] {
+    return messageOf<Error>(
+        [&] { (void)decode(encode(many, 0, frames(), state()), fingerprint(), kLimits, differs); });
+  };
+  EXPECT_EQ(complaint(), "it is damaged: the number of options is out of range");
+  many = fingerprint();
+  many.inputs.resize(kMostInputs + 1);
+  EXPECT_EQ(complaint(), "it is damaged: the number of inputs is out of range");
+  many = fingerprint();
+  many.inputs[0].files.resize(kMostFrames + 1);
+  EXPECT_EQ(complaint(), "it is damaged: the number of an input's files is out of range");
+  const Bytes other = encode(fingerprint(), 0, FrameRecords(1000), state());
+  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(other); }),
+            "it is damaged: it is of another number of frames");
+}
+
 TEST(CheckpointTest, OneOfAnotherFormatIsRefusedByNumber) {
   Bytes bytes = encoded();
   bytes[8] = 9;

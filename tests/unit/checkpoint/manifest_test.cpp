@@ -74,6 +74,17 @@ TEST(ManifestTest, WhatIsNoneIsRefusedByName) {
   };
   const std::string damaged = path + ": is damaged, or no manifest of fluidymation";
   EXPECT_EQ(complaint(good), "");
+  const std::string noNumber = path + ": holds a number that is none, or out of range";
+  for (const char* number : {"1e300", "5000000000", "18446744073709551615", "-5000000000", "9.0"}) {
+    EXPECT_EQ(complaint(with("\"number\": 9", "\"number\": " + std::string(number))), noNumber);
+    EXPECT_EQ(complaint(with("\"format\": 1", "\"format\": " + std::string(number))), noNumber);
+  }
+  Manifest many = manifest();
+  many.fingerprint.inputs.clear();
+  for (const char* option : {"a", "b", "c", "d", "e", "f"}) {
+    many.fingerprint.inputs.push_back({option, {}});
+  }
+  EXPECT_EQ(complaint(textOf(encode(many))), path + ": holds more than a run can have");
   EXPECT_EQ(complaint("[]"), path + ": is no manifest of fluidymation");
   EXPECT_EQ(complaint("{}"), path + ": is no manifest of fluidymation");
   EXPECT_EQ(complaint(std::string(100'000, '[')), damaged);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "fluidymation/core/error.h"
 #include "support/temporary_folder.h"
@@ -46,6 +47,16 @@ TEST(FileLockTest, IsTakenOverFromAProcessThatWasKilled) {
   const FileLock lock(folder.file("lock"), "painting");
   EXPECT_TRUE(lock.isHeld());
   EXPECT_EQ(lock.abandonedBy().find("process " + std::to_string(child) + " on host "), 0U);
+}
+
+TEST(FileLockTest, RepeatsNothingUnprintableAndMovesWhole) {
+  const TemporaryFolder folder;
+  test::writeBytes(folder.file("lock"), test::bytesOf("a\x1b[31m\xff b\n"));
+  FileLock lock(folder.file("lock"), "painting");
+  EXPECT_EQ(lock.abandonedBy(), "a?[31m? b");
+  const FileLock taken(std::move(lock));
+  EXPECT_TRUE(taken.isHeld());
+  EXPECT_FALSE(lock.isHeld());  // NOLINT(bugprone-use-after-move)
 }
 
 TEST(FileLockTest, FollowsNoLink) {
