@@ -86,6 +86,10 @@ struct VoteOptions {
   /// Gaussian weight of a window by the distance of its centre along x and y, px; 0: all alike.
   float sigmaPx = 0.35F;
   Interpolation interpolation = Interpolation::kLanczos;
+  /// Gaussian weight of a window by how much deeper in its shape the exemplar's pixel lies than the
+  /// painted one, px, as far as the border goes; 0: all alike, as in the thesis. A patch that fits
+  /// else may reach past the rim of its own shape, and its bare pixels would show inside.
+  float depthSigmaPx = 0.5F;
 };
 
 /// In what units the motion extents of exemplar and target are compared; §3.5.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ struct Verification {
 };
 
 /// Checks the frames beside a manifest against it, byte for byte.
+/// @param beforeEach  called before each frame that is read; may throw to stop.
 /// @throws Error naming the manifest when it cannot be read or is none.
-[[nodiscard]] Verification verify(const std::string& manifestPath);
+[[nodiscard]] Verification verify(const std::string& manifestPath,
+                                  const std::function<void()>& beforeEach = {});
 
 }  // namespace fluidymation

@@ -51,6 +51,7 @@ namespace fs = std::filesystem;
                                                  const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return path + ": missing";
+  if (!fs::is_regular_file(path, ignored)) return path + ": is no regular file";
   try {
     if (digestOfFile(path) == frame.digest) return std::nullopt;
   } catch (const Error& error) {
@@ -61,12 +62,13 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-Verification verify(const std::string& manifestPath) {
+Verification verify(const std::string& manifestPath, const std::function<void()>& beforeEach) {
   const Manifest manifest = readManifest(manifestPath);
   const fs::path folder = fs::path(manifestPath).parent_path();
   Verification result;
   result.frames = static_cast<int>(manifest.frames.size());
   for (const Manifest::Frame& frame : manifest.frames) {
+    if (beforeEach) beforeEach();
     if (auto fault = faultOf(frame, (folder / frame.file).string())) {
       result.faults.push_back(std::move(*fault));
     }

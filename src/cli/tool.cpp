@@ -48,8 +48,12 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 }
 
 /// Says in which frames the disk differs from the manifest. @return  kFailed where it does.
-[[nodiscard]] ExitCode verifyFrames(const std::string& manifest, const Streams& streams) {
-  const Verification found = verify(manifest);
+[[nodiscard]] ExitCode verifyFrames(const std::string& manifest, const Streams& streams,
+                                    const StopSignal& stopSignal) {
+  const Verification found = verify(manifest, [&stopSignal] {
+    if (stopSignal && stopSignal() != 0)
+      throw Interrupted("interrupted; frames are left unchecked");
+  });
   for (const std::string& fault : found.faults) streams.out << oneLine(fault) + "\n";
   if (found.faults.empty()) {
     streams.out << oneLine(manifest) + ": " + std::to_string(found.frames) +
@@ -63,7 +67,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,
                                      const Engine& engine, const StopSignal& stopSignal) {
   const CommandLine line = parseCommandLine(argc, argv);
-  if (line.manifest) return verifyFrames(*line.manifest, streams);
+  if (line.manifest) return verifyFrames(*line.manifest, streams, stopSignal);
   if (!line.information) {
     paint(line, streams, engine, stopSignal);
     return kDone;

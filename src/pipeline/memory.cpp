@@ -75,8 +75,9 @@ constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
 
 // Per pixel of a painting that waits for the frames after it: guides, picture, and twice, as
 // painted first and as revised, matches and movement owed; for the dump all guides once more.
+constexpr double kGuidesKeptBytes = sizeof(std::uint8_t) + 4.0 * sizeof(float) + 4.0 * sizeof(Vec2);
 constexpr double kPaintingKeptBytes =
-    kGuideBytes + sizeof(Lab) + 2.0 * (sizeof(Match) + sizeof(float));
+    kGuidesKeptBytes + sizeof(Lab) + 2.0 * (sizeof(Match) + sizeof(float));
 
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);
@@ -151,7 +152,7 @@ double windowBytes(const RunSize& run) {
   if (run.temporalCoherence == TemporalCoherence::kForward) return 0.0;
   const int window = std::min(kWindowFrames, run.targetFrames);
   return pixels(run.target) *
-         ((window + 2) * kPaintingKeptBytes + (run.dumps ? window * kGuideBytes : 0.0));
+         ((window + 2) * kPaintingKeptBytes + (run.dumps ? window * kGuidesKeptBytes : 0.0));
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ void check(const ModulationBounds& bounds) {
 void check(const SynthesisOptions& synthesis) {
   check("--tex-weight", synthesis.texWeight, ranges::kWeights);
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
+  check("depthSigmaPx", synthesis.paintedVote.depthSigmaPx, ranges::kVoteSigmasPx);  // no option
   check("edgeGain", synthesis.edgeGain, ranges::kWeights);  // has no option
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--dir-weight", synthesis.dirWeight, ranges::kWeights);

@@ -27,6 +27,7 @@ namespace {
       bounds.unit == ModulationUnit::kPixels ||
       (bounds.unit == wanted.unit && bounds.upper == wanted.upper && bounds.lower == wanted.lower);
   return haveBounds && synthesis.edgeGain == preset.synthesis.edgeGain &&
+         synthesis.paintedVote.depthSigmaPx == preset.synthesis.paintedVote.depthSigmaPx &&
          synthesis.shape.modulation == preset.synthesis.shape.modulation;
 }
 
@@ -43,6 +44,7 @@ namespace {
   const ModulationBounds& bounds = synthesis.prevModulation;
   const bool clamped = synthesis.shape.modulation == ModulationDistance::kClamped;
   std::string text = "edge gain " + numberText(synthesis.edgeGain);
+  text += ", vote depth sigma " + numberText(synthesis.paintedVote.depthSigmaPx);
   if (!clamped) text += ", modulation unclamped";
   if (bounds.unit == ModulationUnit::kBorderWidths) {
     text += ", bounds " + pairText(bounds) + " border widths";

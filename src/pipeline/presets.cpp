@@ -32,7 +32,7 @@ void applyThesisPreset(Options& options) {
   synthesis.carriesMotion = false;
   synthesis.extentUnit = ExtentUnit::kPixels;
   synthesis.finestLevel = FinestLevel::kUpscaled;
-  synthesis.paintedVote = {0.0F, Interpolation::kBilinear};
+  synthesis.paintedVote = {0.0F, Interpolation::kBilinear, 0.0F};
 }
 
 void applyPaperPreset(Options& options) {

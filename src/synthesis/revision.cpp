@@ -45,8 +45,8 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
               : revisedField(work, l, nnf, current.state.nnf, fromBefore, fromAfter, target);
   }
   current.state.nnf = std::move(nnf);
-  current.picture =
-      timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, current.state.nnf); });
+  current.picture = timed(Stage::kPaint, 0,
+                          [&] { return paintedPicture(frame, levels.front(), current.state.nnf); });
   if (!options_.carriesMotion) return;
   forEachRow(owed.height(), [&](int y) {
     for (int x = 0; x < owed.width(); ++x) {

@@ -122,12 +122,13 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
                                 : optimizedField(l, nnf, shifted, fresh, target);
   }
   nnf_ = std::move(nnf);
-  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, nnf_); });
+  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, levels.front(), nnf_); });
 }
 
-Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides,
+Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
                                        const NearestNeighborField& nnf) const {
-  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote);
+  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote,
+                     &finest.guides);
 }
 
 Painting Synthesizer::painting() const {
@@ -170,8 +171,9 @@ void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
   nnf_ = std::move(state.nnf);
   owed_ = std::move(state.owed);
   guides_ = croppedGuides(last, box_);
-  picture_ =
-      countInside(guides_.mask) > 0 ? paintedPicture(guides_, nnf_) : Image<Lab>(box_.size());
+  picture_ = countInside(guides_.mask) > 0
+                 ? paintedPicture(guides_, levelsOf(guides_).front(), nnf_)
+                 : Image<Lab>(box_.size());
 }
 
 std::vector<TargetLevel> Synthesizer::levelsOf(const GuideFrame& frame) const {

@@ -123,9 +123,13 @@ struct Voter {
 
 /// Averages over the windows that cover a pixel. `read(frame, x, y)` reads the exemplar; where none
 /// of the voters has a match, the nearest windows count alike.
-template <typename Reader>
+/// @param trust  (x, y, match): how much a window counts besides, by where it has the pixel.
+template <typename Reader, typename Trust>
 Image<Lab> average(const NearestNeighborField& nnf, const Mask& wanted, const Reader& read,
-                   const std::vector<Voter>& voters) {
+                   const std::vector<Voter>& voters, const Trust& trust) {
+  // Where the voters are trusted less than this, relative to a window centred on the pixel that has
+  // it at its depth, all windows that cover the pixel are heard.
+  constexpr float kDoubt = 0.1F;
   const Size size = nnf.size();
   Image<Lab> picture(size);
   forEachRow(size.height, [&](int y) {
@@ -143,13 +147,19 @@ Image<Lab> average(const NearestNeighborField& nnf, const Mask& wanted, const Re
           last = read(here.frame, here.x, here.y);
           lastRead = here;
         }
-        sum += weight * last;
-        weights += weight;
+        const float trusted = weight * trust(x, y, here);
+        sum += trusted * last;
+        weights += trusted;
       };
       for (const Voter& voter : voters) {
         const int nx = x + voter.dx;
         const int ny = y + voter.dy;
         if (nnf.contains(nx, ny) && nnf(nx, ny).exists()) add(nx, ny, voter.weight);
+      }
+      if (weights > 0.0F && weights < kDoubt) {
+        sum = Float4{};
+        weights = 0.0F;
+        forEachWindow(nnf, x, y, [&](int nx, int ny) { add(nx, ny, 1.0F); });
       }
       if (weights == 0.0F) {
         const int nearest = nearestWindow(nnf, x, y);
@@ -164,6 +174,34 @@ Image<Lab> average(const NearestNeighborField& nnf, const Mask& wanted, const Re
   });
   return picture;
 }
+
+/// Weighs windows by the depths of exemplar and target; see VoteOptions::depthSigmaPx.
+class DepthTrust {
+ public:
+  /// @param guides  of the target; null where all windows count alike.
+  DepthTrust(const ExemplarLevel& exemplar, const Image<FixedGuides>* guides, float sigmaPx)
+      : exemplar_(exemplar), guides_(sigmaPx > 0.0F ? guides : nullptr) {
+    if (guides_ == nullptr) return;
+    const float sigmaSteps = sigmaPx / exemplar.borderWidthPx() * kEdgeScale * kEdgeSteps;
+    scale_ = -0.5F / (sigmaSteps * sigmaSteps);
+  }
+
+  [[nodiscard]] float operator()(int x, int y, const Match& match) const {
+    if (guides_ == nullptr) return 1.0F;
+    // However far off, a window counts where there is no better one
+    constexpr float kLeastTrust = 1e-6F;
+    const int sx = std::clamp(match.nearestX(), 0, exemplar_.size().width - 1);
+    const int sy = std::clamp(match.nearestY(), 0, exemplar_.size().height - 1);
+    const auto apart = static_cast<float>((*guides_)(x, y).edge -
+                                          exemplar_.texel(sx, sy, match.frame).guides.edge);
+    return std::max(std::exp(scale_ * apart * apart), kLeastTrust);
+  }
+
+ private:
+  const ExemplarLevel& exemplar_;
+  const Image<FixedGuides>* guides_;
+  float scale_ = 0.0F;  ///< per square of a step of the edge guide
+};
 
 /// All windows with a Gaussian weight worth counting; with sigma 0 all alike.
 std::vector<Voter> votersOf(float sigmaPx) {
@@ -197,12 +235,14 @@ Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segmen
 }
 
 Image<Lab> paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
-                       const NearestNeighborField& nnf, const VoteOptions& options) {
+                       const NearestNeighborField& nnf, const VoteOptions& options,
+                       const Image<FixedGuides>* guides) {
   const std::vector<Voter> voters = votersOf(options.sigmaPx);
+  const DepthTrust trust(exemplar, guides, options.depthSigmaPx);
   const auto averaged = [&](const auto& read) {
     return average(
         nnf, wanted, [&](int frame, float x, float y) { return read(exemplar, frame, x, y); },
-        voters);
+        voters, trust);
   };
   switch (options.interpolation) {
     case Interpolation::kBilinear:

@@ -59,6 +59,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.prevModulation.unit, ModulationUnit::kPixels);
   const VoteOptions& thesis = all.synthesis.paintedVote;
   EXPECT_EQ(thesis.sigmaPx, 0.0F);
+  EXPECT_EQ(thesis.depthSigmaPx, 0.0F);
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
   EXPECT_NE(standard.sigmaPx, 0.0F);

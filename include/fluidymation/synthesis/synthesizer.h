@@ -80,7 +80,7 @@ class Synthesizer {
   };
 
   /// The picture that matches give the part `guides` of a frame.
-  [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides,
+  [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
                                           const NearestNeighborField& nnf) const;
 
   /// Paints what of the frame lies in `box_`; @return  the picture of that part.

@@ -24,7 +24,9 @@ namespace fluidymation {
 /// @return  black where it is not wanted or no window covers it.
 /// @param wanted  nonzero where the picture is wanted: a pixel next to the mask, which the outline
 ///   cuts, is seen by the windows of its neighbours.
+/// @param guides  of the target's finest level, for VoteOptions::depthSigmaPx; null: without.
 [[nodiscard]] Image<Lab> paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
-                                     const NearestNeighborField& nnf, const VoteOptions& options);
+                                     const NearestNeighborField& nnf, const VoteOptions& options,
+                                     const Image<FixedGuides>* guides = nullptr);
 
 }  // namespace fluidymation

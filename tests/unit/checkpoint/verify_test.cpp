@@ -61,7 +61,16 @@ TEST_F(VerifyTest, EachKindOfDamageIsNamed) {
 TEST_F(VerifyTest, AFolderInAFramesPlaceIsAFault) {
   std::filesystem::remove(frame(3));
   std::filesystem::create_directory(frame(3));
-  EXPECT_EQ(faults(), Lines{frame(3) + ": cannot be read (Is a directory)"});
+  EXPECT_EQ(faults(), Lines{frame(3) + ": is no regular file"});
+}
+
+TEST_F(VerifyTest, IsStoppedBeforeAFrame) {
+  test::writeBytes(folder_.file("m.json"), encode(manifest_));
+  int left = 1;
+  const auto stop = [&left] {
+    if (left-- == 0) throw Interrupted("enough");
+  };
+  EXPECT_THROW((void)verify(folder_.file("m.json"), stop), Interrupted);
 }
 
 TEST_F(VerifyTest, AMissingManifestIsAnError) {

@@ -147,6 +147,32 @@ TEST(PaintedVote, PixelsNextToTheMaskAreSeenByTheWindowsOfTheirNeighbours) {
   }
 }
 
+TEST(PaintedVote, AWindowThatHasThePixelAtAnotherDepthIsNotTrusted) {
+  const test::GrowingDisc disc{Size{48, 40}, {24.0F, 20.0F}, 16.0F, 0.0F, 1};
+  constexpr float kBorderPx = 10.0F;
+  const Exemplar exemplar = test::discExemplar(disc, 0, kBorderPx, 1);
+  const TargetLevel target(finestLevel(disc.guides(0)), kBorderPx);
+  NearestNeighborField nnf(disc.size);
+  for (int y = 0; y < nnf.height(); ++y) {
+    for (int x = 0; x < nnf.width(); ++x) {
+      if (!target.inside(x, y)) continue;
+      nnf(x, y) = {static_cast<float>(x), static_cast<float>(y), 0, Rotation{}};
+    }
+  }
+  nnf(24, 10) = {24.0F, 5.0F, 0, Rotation{}};  // 6 px deep, and painted from the rim
+  const auto painted = [&](float depthSigmaPx) {
+    const VoteOptions options{0.05F, Interpolation::kBilinear, depthSigmaPx};
+    return paintedVote(exemplar.level(0), Mask(nnf.size(), 1), nnf, options, &target.guides);
+  };
+  const auto colorAt = [&](int x, int y) {
+    return test::channelAt(exemplar.level(0), x, y, 0, kLightness);
+  };
+  ASSERT_GT(std::abs(colorAt(24, 5) - colorAt(24, 10)), 1.0F);
+  EXPECT_NEAR(painted(0.0F)(24, 10).l, colorAt(24, 5), 1e-2F);
+  EXPECT_NEAR(painted(0.5F)(24, 10).l, colorAt(24, 10), 1e-2F);
+  EXPECT_NEAR(painted(0.5F)(20, 12).l, colorAt(20, 12), 1e-2F);
+}
+
 TEST(PaintedVote, AWiderWeightLiesBetween) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
   const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
