@@ -63,7 +63,7 @@ std::optional<Digest> Digest::parse(const std::string& text) {
     const std::size_t value = kDigits.find(text[i]);
     if (value == std::string_view::npos) return std::nullopt;
     std::uint8_t& byte = digest.bytes[i / 2];
-    byte = static_cast<std::uint8_t>((byte << 4U) | value);
+    byte = static_cast<std::uint8_t>(std::size_t{byte} << 4U | value);
   }
   return digest;
 }
