@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "fluidymation/options.h"
@@ -48,6 +49,9 @@ inline constexpr Range kOptIterations{0, 1000};
 inline constexpr Range kCompressionLevels{kLeastCompression, kMostCompression};
 inline constexpr Range kThreads{1, 1024};
 inline constexpr Range kCheckpointFrames{1, 1e6};
+
+/// Bytes of memory that a run may need: the program alone takes some 16 MiB.
+inline constexpr std::int64_t kLeastMemoryBytes = std::int64_t{16} << 20;
 
 /// Iteration counts in a list, at least one: a pyramid has no more levels than this.
 inline constexpr int kLongestList = 32;

@@ -227,6 +227,8 @@ struct Options {
   ContinuationOptions continuation;
   int compressionLevel = kDefaultCompression;  ///< of the painted frames: size and clock only
   int threads = 1;                             ///< changes the clock only, never a byte
+  /// What the run may need, at least `ranges::kLeastMemoryBytes`; none: what the machine has.
+  std::optional<std::int64_t> maxMemoryBytes;
 };
 
 }  // namespace fluidymation

@@ -243,6 +243,13 @@ void addRunning(Table& table) {
              false, [](CommandLine& line, const std::string& value) {
                line.options.threads = parseInt("--threads", value, ranges::kThreads);
              }});
+  table.add(
+      {"--max-memory", kRunningGroup, "SIZE",
+       "refuse to begin what may need more, e.g. 4G or 800M\n(default what the machine or its "
+       "control group has; at least\n16M; not in the thesis)",
+       false, [](CommandLine& line, const std::string& value) {
+         line.options.maxMemoryBytes = parseBytes("--max-memory", value, ranges::kLeastMemoryBytes);
+       }});
   table.add({"--quiet", kRunningGroup, "",
              "no progress and no notes; errors are still printed\n(default off)", false,
              [](CommandLine& line, const std::string&) { line.quiet = true; }});

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "fluidymation/core/error.h"
 
@@ -75,6 +76,29 @@ std::uint64_t parseSeed(const std::string& option, const std::string& text) {
   if (const auto seed = parseWhole<std::uint64_t>(text)) return *seed;
   throw UsageError(shown(option, text) + ": wanted a whole number in [0, " +
                    std::to_string(std::numeric_limits<std::uint64_t>::max()) + "]");
+}
+
+std::int64_t parseBytes(const std::string& option, const std::string& text, std::int64_t least) {
+  constexpr double kMostBytes = 9e15;  // every whole number up to there is a double
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
+  const std::optional<double> number = parseWhole<double>(text.substr(0, digits));
+  const std::string unit = text.substr(digits);
+  constexpr std::string_view kUnits = "KMGT";
+  double factor = 1.0;
+  bool known = unit.empty();
+  for (std::size_t i = 0; i < kUnits.size(); ++i) {
+    const std::string letter(1, kUnits[i]);
+    factor *= 1024.0;
+    if (unit != letter && unit != letter + "B" && unit != letter + "iB") continue;
+    known = true;
+    break;
+  }
+  const double bytes = number.value_or(0.0) * (unit.empty() ? 1.0 : factor);
+  if (known && bytes >= static_cast<double>(least) && bytes <= kMostBytes) {
+    return static_cast<std::int64_t>(bytes);
+  }
+  throw UsageError(shown(option, text) + ": wanted a size of at least " +
+                   std::to_string(least >> 20) + "M, e.g. 800M or 4G");
 }
 
 std::vector<int> parseIntList(const std::string& option, const std::string& text,

@@ -23,6 +23,10 @@ namespace fluidymation::cli {
                            bool zeroAllowed = true);
 [[nodiscard]] std::uint64_t parseSeed(const std::string& option, const std::string& text);
 
+/// A number of bytes, with K, M, G or T for powers of 1024: "800M", "1.5G", "4GiB".
+[[nodiscard]] std::int64_t parseBytes(const std::string& option, const std::string& text,
+                                      std::int64_t least);
+
 /// Comma-separated whole numbers, 1 to `ranges::kLongestList` of them.
 [[nodiscard]] std::vector<int> parseIntList(const std::string& option, const std::string& text,
                                             const Range& range);

@@ -23,62 +23,60 @@ namespace {
 /// `kStaircaseSigmaPx`.
 int flowMarginPx() { return 1 + gaussianReach(kStaircaseSigmaPx); }
 
-bool hasEdge(const PackedMask& mask) {
-  const std::size_t inside = mask.count();
-  return inside != 0 && inside != at(mask.size().width) * at(mask.size().height);
-}
-
 }  // namespace
 
 GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-                         const FlowReader& readFlow, const ShapeWatch& watch,
-                         const std::function<void()>& beforeFlow)
-    : shapeBlurRadiusPx_(options.shapeBlurRadiusPx) {
+                         const FlowReader& readFlow, const GuideStreamSetting& setting)
+    : shapeBlurRadiusPx_(options.shapeBlurRadiusPx),
+      store_(setting.storage),
+      shapes_(frameCount, readMask, options.mask, store_),
+      flows_(at(frameCount)) {
   assert(frameCount >= 1);
-  std::vector<bool> edge;
-  for (PackedShape& shape : readShapes(frameCount, readMask, options.mask, watch)) {
-    edge.push_back(hasEdge(shape.packedMask()));
-    const std::size_t inside = shape.packedMask().count();
-    StoredFrame frame{std::move(shape), {}, {}, {}};
-    frame.flow.resize(inside);  // zero, until the frame turns out to move
-    frames_.push_back(std::move(frame));
-  }
-
+  if (setting.masksRead) setting.masksRead(mostPixels());
   if (readFlow) {
     takeFlow(readFlow);
   } else {
-    deriveFlow(edge, options, beforeFlow);
+    deriveFlow(options, setting.beforeFlow);
   }
-
-  // Motion still to come, from the last frame backwards (§3.5)
-  frames_.back().accBackward.resize(frames_.back().flow.size());
-  for (int i = frameCount - 2; i >= 0; --i) {
-    const StoredFrame& next = frames_[at(i + 1)];
-    StoredFrame& frame = frames_[at(i)];
-    frame.accBackward = accumulateBackward(next.shape.packedMask(), next.accBackward, next.flow,
-                                           frame.shape.packedMask(), frame.flow);
-  }
+  backward_.emplace(frameCount, movingFrames(), store_);
 }
 
-void GuideStream::deriveFlow(const std::vector<bool>& edge, const GuideOptions& options,
-                             const std::function<void()>& beforeFlow) {
+std::vector<Vec2> GuideStream::flow(int frame) const {
+  const StoredFlow& stored = flows_[at(frame)];
+  if (stored.flow) return store_.get<Vec2>(*stored.flow);
+  return std::vector<Vec2>(shapes_.pixelCount(frame));
+}
+
+void GuideStream::setFlow(int frame, const std::vector<Vec2>& flow) {
+  std::optional<RecordStore::Record>& record = flows_[at(frame)].flow;
+  if (record) store_.drop(*record);
+  record = store_.add(flow);
+}
+
+BackwardMotion::FrameOf GuideStream::movingFrames() const {
+  return [this](int i) {
+    return BackwardMotion::MovingFrame{shapes_.shape(i).packedMask(), flow(i)};
+  };
+}
+
+void GuideStream::deriveFlow(const GuideOptions& options, const std::function<void()>& beforeFlow) {
   // Frames without an edge, empty and full ones, have stand-ins for distances: they end the
   // temporal window on both sides as the ends of the sequence do.
   for (int begin = 0; begin < frameCount(); ++begin) {
-    if (!edge[at(begin)]) continue;
+    if (!shapes_.hasEdge(begin)) continue;
     int end = begin + 1;
-    while (end < frameCount() && edge[at(end)]) ++end;
+    while (end < frameCount() && shapes_.hasEdge(end)) ++end;
     computeFlow(begin, end, options, beforeFlow);
     begin = end;
   }
 }
 
 void GuideStream::takeFlow(const FlowReader& readFlow) {
-  Mask previousMask(frames_.front().shape.size());
+  Mask previousMask(shapes_.size());
   for (int i = 0; i < frameCount(); ++i) {
-    Mask mask = frames_[at(i)].shape.mask();
-    frames_[at(i)].flow = gather(frames_[at(i)].shape.packedMask(), readFlow(i, previousMask));
-    previousMask = std::move(mask);
+    const PackedMask mask = shapes_.shape(i).packedMask();
+    setFlow(i, gather(mask, readFlow(i, previousMask)));
+    previousMask = mask.unpack();
   }
 }
 
@@ -86,66 +84,60 @@ void GuideStream::computeFlow(int begin, int end, const GuideOptions& options,
                               const std::function<void()>& beforeFlow) {
   if (end - begin < 2) return;  // a single frame does not move
   Box shapes;
-  for (int i = begin; i < end; ++i) {
-    shapes = joined(shapes, frames_[at(i)].shape.packedMask().box());
-  }
-  const Box box = fromEvenPixel(grown(shapes, flowMarginPx(), frames_[at(begin)].shape.size()));
+  for (int i = begin; i < end; ++i) shapes = joined(shapes, shapes_.box(i));
+  const Box box = fromEvenPixel(grown(shapes, flowMarginPx(), shapes_.size()));
   ShapeChanges changes(
       end - begin, options.timeBlurSigmaFrames,
       [&](int i) {
-        const PackedShape& shape = frames_[at(begin + i)].shape;
+        const PackedShape shape = shapes_.shape(begin + i);
         return ShapeChanges::Shape{shape.packedMask().unpack(box), shape.edgeDistance(box)};
       },
-      [&](int i) { return repeatsShape(begin + i); });
+      [&](int i) { return shapes_.repeats(begin + i); });
   for (int i = begin; i < end; ++i) {
     if (beforeFlow) beforeFlow();
-    StoredFrame& frame = frames_[at(i)];
-    const PackedMask& mask = frame.shape.packedMask();
+    const PackedMask mask = shapes_.shape(i).packedMask();
     const MotionField motion =
         motionField(mask.unpack(box), changes.at(i - begin), options.motionModel, box.begin());
-    frame.flow = gather(mask, motion.flow, box);
-    frame.diffusion = motion.report;
+    setFlow(i, gather(mask, motion.flow, box));
+    flows_[at(i)].diffusion = motion.report;
   }
   if (options.flowBlurSigmaFrames > 0.0F) averageFlow(begin, end, options.flowBlurSigmaFrames);
 }
 
 void GuideStream::averageFlow(int begin, int end, float sigmaFrames) {
   FlowAverages averages(end - begin, sigmaFrames, [&](int i) {
-    const StoredFrame& frame = frames_[at(begin + i)];
-    return FlowAverages::MovingFrame{frame.shape.mask(),
-                                     scatter(frame.shape.packedMask(), frame.flow)};
+    const PackedMask mask = shapes_.shape(begin + i).packedMask();
+    return FlowAverages::MovingFrame{mask.unpack(), scatter(mask, flow(begin + i))};
   });
   for (int i = begin; i < end; ++i) {
     const Image<Vec2> average = averages.at(i - begin);
-    frames_[at(i)].flow = gather(frames_[at(i)].shape.packedMask(), average);
+    setFlow(i, gather(shapes_.shape(i).packedMask(), average));
   }
 }
 
-bool GuideStream::anyInside() const {
-  assert(nextFrame_ == 0);
-  return std::any_of(frames_.begin(), frames_.end(),
-                     [](const StoredFrame& frame) { return !frame.flow.empty(); });
+bool GuideStream::anyInside() const { return mostPixels() != 0; }
+
+std::size_t GuideStream::mostPixels() const {
+  std::size_t most = 0;
+  for (int i = 0; i < frameCount(); ++i) most = std::max(most, shapes_.pixelCount(i));
+  return most;
 }
 
 bool GuideStream::drawsLines() const {
   assert(nextFrame_ == 0);
   Growth growth;
-  for (const StoredFrame& frame : frames_) growth.add(frame.shape.packedMask());
+  for (int i = 0; i < frameCount(); ++i) growth.add(shapes_.shape(i).packedMask());
   if (!growth.isDrawing()) return false;
   DrawnLines lines;
-  for (const StoredFrame& frame : frames_) {
-    lines.add(frame.shape.mask(), scatter(frame.shape.packedMask(), frame.flow));
+  for (int i = 0; i < frameCount(); ++i) {
+    const PackedMask mask = shapes_.shape(i).packedMask();
+    lines.add(mask.unpack(), scatter(mask, flow(i)));
   }
   return lines.found();
 }
 
-bool GuideStream::repeatsShape(int frame) const {
-  return frame > 0 && frame < frameCount() &&
-         frames_[at(frame)].shape == frames_[at(frame - 1)].shape;
-}
-
 void GuideStream::addShape(const PackedShape& shape, GuideFrame& guides) {
-  if (repeatsShape(nextFrame_)) {
+  if (shapes_.repeats(nextFrame_)) {
     guides.mask = shape.mask();
     guides.distance = held_.distance.clone();
     guides.coverage = held_.coverage.clone();
@@ -154,7 +146,7 @@ void GuideStream::addShape(const PackedShape& shape, GuideFrame& guides) {
     shape.addTo(guides);
     if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
     held_ = {};
-    if (repeatsShape(nextFrame_ + 1)) {
+    if (shapes_.repeats(nextFrame_ + 1)) {
       held_ = {guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
     }
   }
@@ -162,39 +154,40 @@ void GuideStream::addShape(const PackedShape& shape, GuideFrame& guides) {
 
 GuideFrame GuideStream::next() {
   assert(nextFrame_ < frameCount());
-  StoredFrame& stored = frames_[at(nextFrame_)];
+  const PackedShape shape = shapes_.shape(nextFrame_);
+  const PackedMask& mask = shape.packedMask();
   GuideFrame guides;
-  addShape(stored.shape, guides);
-  const PackedMask& mask = stored.shape.packedMask();
-  guides.flow = scatter(mask, stored.flow);
-  guides.accBackward = scatter(mask, stored.accBackward);
-  if (nextFrame_ == 0) {
-    accForward_.resize(stored.flow.size());
-  } else {
-    accForward_ = accumulateForward(frames_[at(nextFrame_ - 1)].shape.packedMask(), accForward_,
-                                    mask, stored.flow);
-  }
-  guides.accForward = scatter(mask, accForward_);
+  addShape(shape, guides);
+  guides.accBackward = scatter(mask, backward_->next(movingFrames()));
+  const std::vector<Vec2> flow = this->flow(nextFrame_);
+  guides.flow = scatter(mask, flow);
   const bool isStill =
-      repeatsShape(nextFrame_) && std::all_of(stored.flow.begin(), stored.flow.end(),
-                                              [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; });
-  std::vector<Vec2>().swap(stored.flow);  // given away, and not asked for again
-  std::vector<Vec2>().swap(stored.accBackward);
-
-  Image<Vec2> previous;
-  if (nextFrame_ > 0) {
-    previous = scatter(frames_[at(nextFrame_ - 1)].shape.packedMask(), direction_);
+      shapes_.repeats(nextFrame_) &&
+      std::all_of(flow.begin(), flow.end(), [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; });
+  if (nextFrame_ == 0) {
+    last_.accForward.resize(flow.size());
+  } else {
+    last_.accForward = accumulateForward(last_.mask, last_.accForward, mask, flow);
   }
+  guides.accForward = scatter(mask, last_.accForward);
+  // Given away, and not asked for again
+  shapes_.drop(nextFrame_);
+  if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
+
+  const SolveReport& diffusion = flows_[at(nextFrame_)].diffusion;
+  Image<Vec2> previous;
+  if (nextFrame_ > 0) previous = scatter(last_.mask, last_.direction);
   if (isStill) {  // every pixel keeps the direction that it has
     guides.direction = std::move(previous);
-    guides.diffusion = stored.diffusion;
+    guides.diffusion = diffusion;
   } else {
     DirectionField direction =
         flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
     guides.direction = std::move(direction.direction);
-    guides.diffusion = worse(stored.diffusion, direction.report);
-    direction_ = gather(mask, guides.direction);
+    guides.diffusion = worse(diffusion, direction.report);
+    last_.direction = gather(mask, guides.direction);
   }
+  last_.mask = mask;
   ++nextFrame_;
   return guides;
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "fluidymation/core/index.h"
@@ -23,6 +24,11 @@ PackedMask::PackedMask(const Mask& mask)
     }
     bits_[w] = word;
   }
+}
+
+PackedMask::PackedMask(Size size, std::vector<std::uint64_t> words)
+    : size_(size), bits_(std::move(words)) {
+  assert(bits_.size() == (pixelCount() + kBits - 1) / kBits);
 }
 
 std::size_t PackedMask::count() const { return countShared(*this); }

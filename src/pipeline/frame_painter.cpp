@@ -10,14 +10,6 @@
 namespace fluidymation {
 namespace {
 
-/// What is written of a frame that is not dumped.
-GuideFrame outlineOnly(GuideFrame guides) {
-  GuideFrame outline;
-  outline.mask = std::move(guides.mask);
-  outline.coverage = std::move(guides.coverage);
-  return outline;
-}
-
 /// The whole frame of a painting; of its guides only what is always written.
 PaintedFrame wholeFrame(const Painting& painting, bool withMatches) {
   const Size size = painting.state.size;
@@ -51,9 +43,15 @@ std::vector<PaintedFrame> FramePainter::paint(int frame, GuideFrame guides) {
 
 PaintedFrame FramePainter::paintForward(GuideFrame guides) {
   PaintedFrame painted;
-  painted.picture = synthesizer_.paint(guides);
-  painted.guides = dumps_ ? std::move(guides) : outlineOnly(std::move(guides));
-  if (dumps_) painted.nnf = synthesizer_.nnf();
+  if (dumps_) {
+    painted.picture = synthesizer_.paint(guides);
+    painted.guides = std::move(guides);
+    painted.nnf = synthesizer_.nnf();
+  } else {
+    painted.guides.mask = guides.mask.clone();
+    painted.guides.coverage = guides.coverage.clone();
+    painted.picture = synthesizer_.paint(std::move(guides));
+  }
   painted.state = std::make_shared<const SynthesisState>(synthesizer_.state());
   return painted;
 }

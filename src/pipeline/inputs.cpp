@@ -9,6 +9,7 @@
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
 #include "pipeline/given_flow.h"
+#include "pipeline/memory_limit.h"
 
 namespace fluidymation {
 namespace {
@@ -37,20 +38,6 @@ Size largestStored(const Inputs& inputs) {
   return area(exemplar) >= area(target) ? exemplar : target;
 }
 
-/// @throws UsageError when the run needs more than `kMaxRunBytes`.
-void requireMemory(const Options& options, const Inputs& inputs) {
-  const RunSize run = sizeOfRun(options, inputs);
-  const std::int64_t bytes = bytesOfRun(run);
-  if (bytes <= kMaxRunBytes) return;
-  throw UsageError("--src-path " + options.source.path + ", --target-path " + options.target.path +
-                   ": " + std::to_string(run.exemplarFrames) + " frames of " +
-                   sizeText(run.exemplar) + " and " + std::to_string(run.targetFrames) + " of " +
-                   sizeText(run.target) + ", stored with up to " + sizeText(run.largestStored) +
-                   ", need about " + gibibytes(bytes) + " of memory; wanted at most " +
-                   gibibytes(kMaxRunBytes) +
-                   " (--src-frames, --src-scale, --target-scale, --threads)");
-}
-
 }  // namespace
 
 Inputs openInputs(const Options& options, const Observer& observer) {
@@ -76,7 +63,7 @@ Inputs openInputs(const Options& options, const Observer& observer) {
     inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
                                          options.flowConvention, options.target, inputs.target);
   }
-  requireMemory(options, inputs);
+  requireMemory(options, sizeOfRun(options, inputs));  // in any case, whatever the masks hold
   return inputs;
 }
 
@@ -115,17 +102,6 @@ InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const bool soft =
       std::any_of(stored.begin(), stored.end(), [](float c) { return c > 0.0F && c < 1.0F; });
   return {resize(stored, masks.scaled), soft};
-}
-
-ShapeWatch memoryWatch(const std::string& path, int frameCount, std::int64_t otherBytes) {
-  return [path, frameCount, otherBytes](const ShapeTally& target) {
-    const std::int64_t bytes = otherBytes + bytesKept(target);
-    if (bytes <= kMaxRunBytes) return;
-    throw UsageError("--target-path " + path + ": the first " + std::to_string(target.frames) +
-                     " of " + std::to_string(frameCount) + " frames need about " +
-                     gibibytes(bytes) + " of memory; wanted at most " + gibibytes(kMaxRunBytes) +
-                     " (--target-frames, --target-scale)");
-  };
 }
 
 Image<Rgb> readPicture(const InputSequence& pictures, int frame) {

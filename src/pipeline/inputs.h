@@ -8,7 +8,7 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
-#include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/guides/input_mask.h"
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/options.h"
@@ -47,6 +47,7 @@ struct Inputs {
 /// @throws Error, UsageError naming file or option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
 
+/// What the headers tell of it: no mask pixels yet.
 [[nodiscard]] RunSize sizeOfRun(const Options& options, const Inputs& inputs);
 
 /// Alpha where any frame of the sequence is not opaque everywhere, else brightness. Decided for the
@@ -59,14 +60,6 @@ struct Inputs {
 /// Reads mask `frame` of a sequence and scales it as gray.
 /// @throws Error naming the file, also when its size is no longer the one found at first.
 [[nodiscard]] InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame);
-
-/// Counts what is kept of the target's masks while they are read: `bytesKept`.
-/// @param path        of --target-path, for the message.
-/// @param frameCount  of the target.
-/// @param otherBytes  what the run needs besides.
-/// @return  throws UsageError once the sum is above `kMaxRunBytes`.
-[[nodiscard]] ShapeWatch memoryWatch(const std::string& path, int frameCount,
-                                     std::int64_t otherBytes);
 
 /// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.
 [[nodiscard]] Image<Rgb> readPicture(const InputSequence& pictures, int frame);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "fluidymation/core/color.h"
+#include "fluidymation/guides/backward_motion.h"
 #include "fluidymation/guides/flow_average.h"
 #include "fluidymation/guides/gaussian.h"
 #include "fluidymation/io/png.h"
@@ -24,8 +25,7 @@ constexpr double kDirectionBytes = 4.0;
 constexpr double kLevelBytes = kDirectionBytes + sizeof(Segment) + sizeof(std::uint32_t);
 constexpr double kExtentBytes = sizeof(Vec2);  // on all levels, until the last frame is read
 constexpr double kPyramidFactor = 4.0 / 3.0;   // 1 + 1/4 + 1/16 + ...
-constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-, or while reading the stream's own
-constexpr double kUnreturnedBytes = 12.0;  // of the stream's own, too scattered for acc+ and acc-
+constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-
 constexpr double kMapBytes = 4.0;  // an occurrence map; a group of frames of a tile's changes
 constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twice for a moment
 
@@ -45,7 +45,18 @@ constexpr double kPaintingBytes = 256.0;
 // Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
+
+// Of a frame that waits for its turn: its mask, and per mask pixel its flow, every so many frames
+// the motion still to come, and of anti-aliased masks the outline, with at most two crossings a
+// pixel.
 constexpr double kPackedMaskBytes = 1.0 / 8.0;
+constexpr double kWaitingPixelBytes =
+    sizeof(Vec2) * (1.0 + 1.0 / BackwardMotion::kStoredEvery) + 2.0 * sizeof(std::uint16_t);
+// Per mask pixel of a frame, the motion still to come of the frames that are next.
+constexpr double kBackwardBytes = sizeof(Vec2) * (BackwardMotion::kStoredEvery + 2.0);
+// Of each frame of the target: paths to read and to write with their numbers, digests, and where
+// it waits.
+constexpr double kFrameBytes = 2048.0;
 
 // What rules that are not the thesis' add per pixel: to a level of the exemplar distances that its
 // edge guide does not tell and one list of all mask pixels; to a frame at work the blurred mask, on
@@ -88,17 +99,45 @@ constexpr double kFlowReadingBytes = 8.0 + 6.0 + 8.0 + 8.0;
 
 double pixels(Size size) { return static_cast<double>(size.width) * size.height; }
 
+/// A sequence, as far as its guides are concerned.
+struct GuidedSequence {
+  Size size;
+  int frames;
+  double maskPixels;  ///< the most of a frame
+  Size given;         ///< size of a given flow as stored, 0x0 where the flow is derived
+};
+
+GuidedSequence exemplarOf(const RunSize& run) {
+  return {run.exemplar, run.exemplarFrames, static_cast<double>(run.exemplarMaskPixels),
+          run.exemplarFlow};
+}
+
+GuidedSequence targetOf(const RunSize& run) {
+  return {run.target, run.targetFrames, static_cast<double>(run.targetMaskPixels), run.targetFlow};
+}
+
+/// What waits in memory while the frames of a sequence are asked for.
+double waitingBytes(const GuidedSequence& sequence) {
+  const double all = sequence.frames * (pixels(sequence.size) * kPackedMaskBytes +
+                                        sequence.maskPixels * kWaitingPixelBytes);
+  return std::min(all, static_cast<double>(kWaitingBytes)) + sequence.maskPixels * kBackwardBytes;
+}
+
 /// Before anything is painted: the flow of a sequence, with the distances of all frames that the
 /// temporal smoothing sees from one, and then its average, with all flows that it sees from one; or
 /// the given flow being read.
-/// @param given  size of a given flow as stored, 0x0 where the flow is derived.
-double flowBytes(Size size, int frames, Size given, const RunSize& run) {
-  if (pixels(given) > 0.0) return pixels(size) * kGuideBytes + pixels(given) * kFlowReadingBytes;
-  const auto window = [frames](int reach) { return std::min<double>(frames, 2.0 * reach + 1.0); };
-  return pixels(size) *
-         std::max(kGuideBytes + kSolverBytes +
-                      sizeof(float) * window(gaussianReach(run.timeBlurSigmaFrames)),
-                  kGuideBytes + kAveragedBytes * window(flowAverageReach(run.flowBlurSigmaFrames)));
+double flowBytes(const GuidedSequence& sequence, const RunSize& run) {
+  const double frame = pixels(sequence.size);
+  if (pixels(sequence.given) > 0.0) {
+    return frame * kGuideBytes + pixels(sequence.given) * kFlowReadingBytes;
+  }
+  const auto window = [&sequence](int reach) {
+    return std::min<double>(sequence.frames, 2.0 * reach + 1.0);
+  };
+  return std::max(
+      frame * (kGuideBytes + sizeof(float) * window(gaussianReach(run.timeBlurSigmaFrames))) +
+          sequence.maskPixels * kSolverBytes,
+      frame * (kGuideBytes + kAveragedBytes * window(flowAverageReach(run.flowBlurSigmaFrames))));
 }
 
 /// Bytes per pixel of a level of the exemplar that its rules ask for.
@@ -158,43 +197,44 @@ double windowBytes(const RunSize& run) {
 }  // namespace
 
 std::int64_t bytesOfRun(const RunSize& run) {
-  const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
-  const double stream = exemplarVolume * (kPackedMaskBytes + kAccumulatedBytes);
+  const GuidedSequence film = exemplarOf(run);
+  const GuidedSequence target = targetOf(run);
+  // Both sequences wait while the exemplar is read, and at most that before and after
+  const double waiting = waitingBytes(film) + waitingBytes(target);
   const double flow =
-      stream + std::max({decodingBytes(run, {}),
-                         flowBytes(run.exemplar, run.exemplarFrames, run.exemplarFlow, run),
-                         flowBytes(run.target, run.targetFrames, run.targetFlow, run)});
+      std::max({decodingBytes(run, {}), flowBytes(film, run), flowBytes(target, run)});
 
+  const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
   const double exemplar =
-      texelBytes(run) +
-      exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) + kPackedMaskBytes +
-                        kAccumulatedBytes + kUnreturnedBytes + kCandidateGrowthBytes);
+      texelBytes(run) + exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) +
+                                          kAccumulatedBytes + kCandidateGrowthBytes);
   const double ownBytes = (run.shape.guide == ShapeGuide::kBlurredMask ? kShapeBytes : 0.0) +
                           (run.mayCompareAges ? kAgeBytes : 0.0);
-  constexpr double kGuidesAtWork = kGuideBytes + kSolverBytes;
+  const auto guiding = [ownBytes](const GuidedSequence& sequence) {
+    return pixels(sequence.size) * (kGuideBytes + ownBytes) + sequence.maskPixels * kSolverBytes;
+  };
   const double reading =
       exemplar + exemplarVolume * kPyramidFactor * kExtentBytes +
       std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
-               pixels(run.exemplar) * (kGuidesAtWork + ownBytes));
-  const double guiding = pixels(run.target) * (kGuidesAtWork + ownBytes);
+               guiding(film));
   const double searching = pixels(run.target) * (kPaintingBytes + ownBytes);
   const double writing = pixels(run.target) * (kWritingBytes + (run.dumps ? kDumpingBytes : 0.0));
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
-  const double painting =
-      exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
-      pixels(run.target) * kWrittenBytes +
-      (sideBySide ? guiding + searching + writing : std::max({guiding, searching, writing}));
+  const double painting = exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
+                          pixels(run.target) * kWrittenBytes +
+                          (sideBySide ? guiding(target) + searching + writing
+                                      : std::max({guiding(target), searching, writing}));
 
-  const double masks = pixels(run.target) * run.targetFrames * kPackedMaskBytes;
-  return static_cast<std::int64_t>(kProgramBytes + masks + std::max({flow, reading, painting}));
+  return static_cast<std::int64_t>(kProgramBytes + run.targetFrames * kFrameBytes + waiting +
+                                   std::max({flow, reading, painting}));
 }
 
-std::int64_t bytesKept(const ShapeTally& target) {
-  return kBytesPerMaskPixel * target.maskPixels + kBytesPerCrossing * target.crossings;
-}
-
-std::string gibibytes(std::int64_t bytes) {
-  constexpr std::int64_t kGibibyte = std::int64_t{1} << 30;
+std::string memoryText(std::int64_t bytes) {
+  constexpr std::int64_t kMebibyte = std::int64_t{1} << 20;
+  constexpr std::int64_t kGibibyte = kMebibyte << 10;
+  if (bytes < kGibibyte) return std::to_string((bytes + kMebibyte - 1) / kMebibyte) + " MiB";
+  // What no machine has is said in whole ones, that tenths do not overflow
+  if (bytes > kGibibyte << 20) return std::to_string(bytes / kGibibyte) + " GiB";
   const std::int64_t tenths = (10 * bytes + kGibibyte - 1) / kGibibyte;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GiB";
 }

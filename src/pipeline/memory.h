@@ -4,13 +4,13 @@
 #include <string>
 
 #include "fluidymation/core/geometry.h"
-#include "fluidymation/guides/packed_shape.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
 
-/// What a run may need: a machine with 8 GiB has to finish it, and some of that is its system's.
-inline constexpr std::int64_t kMaxRunBytes = std::int64_t{6} << 30;
+/// What is kept in memory of the frames of a sequence that wait for their turn; the rest waits in a
+/// temporary file (`RecordStore`), which costs no time that shows.
+inline constexpr std::int64_t kWaitingBytes = std::int64_t{16} << 20;
 
 /// What decides about the memory of a run. Rules that are left out are those of a run that is given
 /// none.
@@ -31,23 +31,19 @@ struct RunSize {
   int occRadiusFrames = SynthesisOptions{}.occRadiusFrames;
   TemporalCoherence temporalCoherence = SynthesisOptions{}.temporalCoherence;
   bool dumps = false;  ///< whether guides and matches are written too
+  /// The most mask pixels of any frame after smoothing. As long as they are not known, 0: then the
+  /// bytes are those that are needed in any case.
+  std::int64_t exemplarMaskPixels = 0;
+  std::int64_t targetMaskPixels = 0;
 };
 
-/// What is kept of every mask pixel of a target that is still to be painted: its flow and the
-/// motion still to come, a Vec2 each.
-inline constexpr std::int64_t kBytesPerMaskPixel = 16;
-
-/// Bytes kept of a target's smoothed masks: `kBytesPerMaskPixel`, and the outlines of soft ones.
-[[nodiscard]] std::int64_t bytesKept(const ShapeTally& target);
-
-/// Bytes a run needs as far as sizes tell: the exemplar with its levels, the search's maps, one
-/// frame at work (with several threads one in each stage: guides, search, writing), those of a
-/// window where frames are painted in both directions of time, and the packed masks of the target.
-/// `bytesKept` comes on top for the target's mask pixels and outlines, whose number shows only when
-/// the masks are read and smoothed.
+/// Bytes a run needs at most: the exemplar with its levels, the search's maps, one frame at work
+/// (with several threads one in each stage: guides, search, writing), those of a window where
+/// frames are painted in both directions of time, and what waits in memory. The length of the
+/// target counts for its files' names only.
 [[nodiscard]] std::int64_t bytesOfRun(const RunSize& run);
 
-/// "3.4 GiB", rounded up.
-[[nodiscard]] std::string gibibytes(std::int64_t bytes);
+/// "3.4 GiB" or "812 MiB", rounded up.
+[[nodiscard]] std::string memoryText(std::int64_t bytes);
 
 }  // namespace fluidymation

@@ -166,6 +166,11 @@ void validate(const Options& options) {
   }
   check("--compression-level", options.compressionLevel, ranges::kCompressionLevels);
   check("--threads", options.threads, ranges::kThreads);
+  if (options.maxMemoryBytes && *options.maxMemoryBytes < ranges::kLeastMemoryBytes) {
+    throw UsageError("--max-memory " + std::to_string(*options.maxMemoryBytes) +
+                     ": wanted at least " + std::to_string(ranges::kLeastMemoryBytes) +
+                     " bytes (16M)");
+  }
 }
 
 }  // namespace fluidymation

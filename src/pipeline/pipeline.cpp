@@ -29,6 +29,7 @@
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
 #include "pipeline/memory.h"
+#include "pipeline/memory_limit.h"
 #include "pipeline/nnf_dump.h"
 #include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
@@ -207,6 +208,15 @@ void stylize(const Options& given, const Observer& observer) {
   };
   countWritten(start.span.begin);
 
+  RunSize size = sizeOfRun(options, inputs);
+  const auto setting = [&](std::int64_t& maskPixels) {
+    return GuideStreamSetting{{kWaitingBytes, run.files.folder()},
+                              [&](std::size_t mostPixels) {
+                                maskPixels = static_cast<std::int64_t>(mostPixels);
+                                requireMemory(options, size);
+                              },
+                              stopIfWanted};
+  };
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
@@ -214,9 +224,8 @@ void stylize(const Options& given, const Observer& observer) {
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopIfWanted), {}, stopIfWanted);
+      flowReader(inputs.sourceFlow, stopIfWanted), setting(size.exemplarMaskPixels));
   requireMaterial(options, sourceGuides);
-  const std::int64_t otherBytes = bytesOfRun(sizeOfRun(options, inputs));
   GuideStream guides(
       frameCount,
       [&](int frame) {
@@ -224,8 +233,8 @@ void stylize(const Options& given, const Observer& observer) {
         return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopIfWanted),
-      memoryWatch(options.target.path, frameCount, otherBytes), stopIfWanted);
+      flowReader(inputs.targetFlow, stopIfWanted), setting(size.targetMaskPixels));
+  tell(observer, memoryNote(options, size));
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
   Exemplar exemplar = readPictures(options, inputs, stopping);

@@ -86,13 +86,25 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
   memory_.resize(expectedUse_.size());
 }
 
-Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
+Image<Lab> Synthesizer::paint(const GuideFrame& frame) { return paintPart(partOf(frame)); }
+
+Image<Lab> Synthesizer::paint(GuideFrame&& frame) {
+  FramePart part = partOf(frame);
+  frame = {};
+  return paintPart(std::move(part));
+}
+
+Synthesizer::FramePart Synthesizer::partOf(const GuideFrame& frame) const {
   const Size size = frame.mask.size();
   const Mask painted = paintedPixels(frame);
   // As far as a window of the coarsest level reaches, whose pixels are blocks of this size
   const int block = 1 << (exemplar_.levelCount() - 1);
   const Box box = alignedTo(grown(boundingBox(painted), kPatchRadius * block, size), block, size);
-  GuideFrame guides = croppedGuides(frame, box);
+  return {size, box, croppedGuides(frame, box)};
+}
+
+Image<Lab> Synthesizer::paintPart(FramePart part) {
+  const auto& [size, box, guides] = part;
   held_ = size == size_ && box == box_ && isHeld(guides, guides_);
   if (!held_) {
     nnf_ = recropped(nnf_, box_, box);
@@ -101,10 +113,10 @@ Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
     box_ = box;
     picture_ = countInside(guides.mask) > 0 ? paintBox(guides) : Image<Lab>(box.size());
     if (countInside(guides.mask) == 0) nnf_ = NearestNeighborField(box.size());
-    guides_ = std::move(guides);
+    guides_ = std::move(part.guides);
   }
   ++frame_;
-  return recropped(picture_, box, whole(size));
+  return recropped(picture_, box_, whole(size_));
 }
 
 Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {

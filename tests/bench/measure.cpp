@@ -30,11 +30,11 @@ void addSums(StageClock& clock) {
 }
 
 /// Reads the target's masks, and tells what a frame of that costs.
-GuideStream openGuides(const LoadedCase& loaded, StageClock& clock) {
+std::unique_ptr<GuideStream> openGuides(const LoadedCase& loaded, StageClock& clock) {
   const auto frames = static_cast<int>(loaded.targetFiles.size());
   StageClock reading;
   const Stopwatch all;
-  GuideStream guides(
+  auto guides = std::make_unique<GuideStream>(
       frames,
       [&](int i) {
         return reading.time(TimedStage::kReading, [&] {
@@ -114,8 +114,8 @@ Measurement measure(const LoadedCase& loaded, int repetitions) {
   Measurement result;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     StageClock perFrame;
-    GuideStream guides = openGuides(loaded, perFrame);
-    FrameMaker maker(loaded, guides);
+    const std::unique_ptr<GuideStream> guides = openGuides(loaded, perFrame);
+    FrameMaker maker(loaded, *guides);
     maker.next();
     perFrame.add({TimedStage::kFirstFrame, kNoLevel},
                  maker.clock().costs().at({TimedStage::kFrame, kNoLevel}));

@@ -99,6 +99,7 @@ const std::vector<Reaching>& reachingOptions() {
        }},
       {"--compression-level", "7", [](C c) { return c.options.compressionLevel == 7; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
+      {"--max-memory", "1.5G", [](C c) { return c.options.maxMemoryBytes == 3 << 29; }},
       {"--src-flow-path", "f/%d.flo", [](C c) { return c.options.sourceFlowPath == "f/%d.flo"; }},
       {"--target-flow-path", "g/%d.png",
        [](C c) { return c.options.targetFlowPath == "g/%d.png"; }},

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "fluidymation/guides/backward_motion.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/guides/packed_shape.h"
+#include "fluidymation/guides/stored_shapes.h"
+#include "fluidymation/io/record_store.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
@@ -16,47 +20,65 @@ namespace fluidymation {
 /// @param previousMask  of frame i - 1, after smoothing; empty of material for i = 0.
 using FlowReader = std::function<Image<Vec2>(int frame, const Mask& previousMask)>;
 
+/// What a stream of guides tells while it is made, and where it keeps what waits; all may be empty.
+struct GuideStreamSetting {
+  RecordStorage storage;
+  /// Told of the most mask pixels that a frame has after smoothing, when all masks are read; may
+  /// throw to end there.
+  std::function<void(std::size_t mostPixels)> masksRead;
+  /// Called before the flow of each frame is derived; may throw to end there.
+  std::function<void()> beforeFlow;
+};
+
 /// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
 ///
 /// Looking ahead is needed twice: the temporal smoothing wants the distance fields of the next
-/// 3 sigma frames, and ext- the flow of all later frames. The constructor therefore reads all
-/// masks once and stores, packed to one bit a pixel, the smoothed masks, of soft ones the outline
-/// too, and, for mask pixels only, the flow and the backward accumulator. A full GuideFrame exists
-/// only while the caller holds it.
+/// 3 sigma frames, and ext- the flow of all later frames. The constructor therefore goes through
+/// all frames once, forwards and then backwards, and leaves in a store what each frame is made of
+/// when its turn comes: the smoothed mask, one bit a pixel, of soft ones the outline too, the flow
+/// of mask pixels, and of some frames the backward accumulator (`BackwardMotion`). With bounded
+/// memory for the store, the length of a sequence costs but some tens of bytes a frame.
 class GuideStream {
  public:
   /// Reads and smooths all masks and computes all flows. All masks must have one size (asserted);
   /// masks may be empty or full. `frameCount` >= 1.
+  /// @param readMask  asked as `StoredShapes` does.
   /// @param readFlow  where given, replaces the flow derived from the masks, and its smoothing.
-  /// @param watch  told of what is stored, as the masks are read.
-  /// @param beforeFlow  called before the flow of each frame is derived; may throw to stop.
+  /// @throws Error when the store cannot be written or read; what is given may throw.
   GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
-              const FlowReader& readFlow = {}, const ShapeWatch& watch = {},
-              const std::function<void()>& beforeFlow = {});
+              const FlowReader& readFlow = {}, const GuideStreamSetting& setting = {});
+  GuideStream(const GuideStream&) = delete;
+  GuideStream& operator=(const GuideStream&) = delete;
 
-  [[nodiscard]] int frameCount() const { return static_cast<int>(frames_.size()); }
+  [[nodiscard]] int frameCount() const { return shapes_.frameCount(); }
 
   /// Whether any mask still has material after smoothing. Asked before the first `next()`.
   [[nodiscard]] bool anyInside() const;
 
   /// Whether the sequence is lines being drawn, see `Growth` and `DrawnLines`. Asked before the
-  /// first `next()`.
+  /// first `next()`. @throws Error when the store cannot be read.
   [[nodiscard]] bool drawsLines() const;
 
   /// Guides of the next frame; must not be called more than `frameCount()` times.
+  /// @throws Error when the store cannot be read.
   [[nodiscard]] GuideFrame next();
 
  private:
-  struct StoredFrame {
-    PackedShape shape;
-    std::vector<Vec2> flow;         ///< of mask pixels, in row order
-    std::vector<Vec2> accBackward;  ///< likewise
+  struct StoredFlow {
+    std::optional<RecordStore::Record> flow;  ///< of mask pixels, in row order; none: zero
     SolveReport diffusion;
   };
 
+  /// The most mask pixels that a frame has.
+  [[nodiscard]] std::size_t mostPixels() const;
+
+  /// Flow of the mask pixels of a frame, in row order.
+  [[nodiscard]] std::vector<Vec2> flow(int frame) const;
+  void setFlow(int frame, const std::vector<Vec2>& flow);
+  [[nodiscard]] BackwardMotion::FrameOf movingFrames() const;
+
   /// Fills in all flows, derived from the masks or as given.
-  void deriveFlow(const std::vector<bool>& edge, const GuideOptions& options,
-                  const std::function<void()>& beforeFlow);
+  void deriveFlow(const GuideOptions& options, const std::function<void()>& beforeFlow);
   void takeFlow(const FlowReader& readFlow);
 
   /// Fills in the flow of frames begin..end-1, a run of frames that all have an edge.
@@ -67,8 +89,6 @@ class GuideStream {
   /// Gaussian over the frames around that have the pixel in their masks.
   void averageFlow(int begin, int end, float sigmaFrames);
 
-  /// Whether a frame has the shape of the one before it.
-  [[nodiscard]] bool repeatsShape(int frame) const;
   /// Fills in what the shape alone says: mask, distance, coverage and blurred mask.
   void addShape(const PackedShape& shape, GuideFrame& guides);
 
@@ -79,12 +99,21 @@ class GuideStream {
     Image<float> shape;
   };
 
+  /// What is kept of the frame given last, of its mask pixels.
+  struct LastFrame {
+    PackedMask mask;
+    std::vector<Vec2> accForward;
+    std::vector<Vec2> direction;
+  };
+
   std::optional<float> shapeBlurRadiusPx_;
-  std::vector<StoredFrame> frames_;
+  RecordStore store_;
+  StoredShapes shapes_;
+  std::vector<StoredFlow> flows_;
+  std::optional<BackwardMotion> backward_;
   int nextFrame_ = 0;
   HeldShape held_;
-  std::vector<Vec2> accForward_;  ///< of the mask pixels of the frame given last
-  std::vector<Vec2> direction_;   ///< likewise
+  LastFrame last_;
 };
 
 }  // namespace fluidymation

@@ -33,6 +33,7 @@ class Outline {
   /// @param mask  the one the outline was made with.
   [[nodiscard]] Crossings crossings(const Mask& mask) const;
 
+  [[nodiscard]] const std::vector<std::uint16_t>& shares() const { return shares_; }
   [[nodiscard]] std::size_t crossingCount() const { return shares_.size(); }
 
   friend bool operator==(const Outline& a, const Outline& b) { return a.shares_ == b.shares_; }
@@ -43,9 +44,6 @@ class Outline {
 
 /// Pairs of neighbouring pixels on two sides.
 [[nodiscard]] std::size_t countCrossings(const Mask& mask);
-
-/// Bytes kept of each crossing.
-inline constexpr std::int64_t kBytesPerCrossing = sizeof(std::uint16_t);
 
 /// A mask and the sub-pixel outline between its two sides.
 struct OutlinedMask {

@@ -16,12 +16,16 @@ class PackedMask {
  public:
   PackedMask() = default;
   explicit PackedMask(const Mask& mask);
+  /// @param words  those of a mask of this size (asserted).
+  PackedMask(Size size, std::vector<std::uint64_t> words);
 
   friend bool operator==(const PackedMask& a, const PackedMask& b) {
     return a.size_ == b.size_ && a.bits_ == b.bits_;
   }
 
   [[nodiscard]] Size size() const { return size_; }
+  /// All bits, of each word from the lowest on.
+  [[nodiscard]] const std::vector<std::uint64_t>& words() const { return bits_; }
   [[nodiscard]] std::size_t count() const;  ///< pixels inside
   /// Pixels inside both. @param other  of the same size (asserted).
   [[nodiscard]] std::size_t countShared(const PackedMask& other) const;

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <utility>
-#include <vector>
 
 #include "fluidymation/core/box.h"
 #include "fluidymation/guides/guide_frame.h"
-#include "fluidymation/guides/input_mask.h"
 #include "fluidymation/guides/mask.h"
 #include "fluidymation/guides/outline.h"
 #include "fluidymation/guides/packed_mask.h"
-#include "fluidymation/options.h"
 
 namespace fluidymation {
 
@@ -22,6 +17,10 @@ class PackedShape {
   explicit PackedShape(const Mask& mask) : mask_(mask) {}
   explicit PackedShape(OutlinedMask shape)
       : mask_(shape.mask), soft_(true), outline_(std::move(shape.outline)) {}
+  explicit PackedShape(PackedMask mask) : mask_(std::move(mask)) {}
+  /// A soft one. @param outline  made with this mask.
+  PackedShape(PackedMask mask, Outline outline)
+      : mask_(std::move(mask)), soft_(true), outline_(std::move(outline)) {}
 
   friend bool operator==(const PackedShape& a, const PackedShape& b) {
     return a.soft_ == b.soft_ && a.mask_ == b.mask_ && a.outline_ == b.outline_;
@@ -29,7 +28,8 @@ class PackedShape {
 
   [[nodiscard]] Size size() const { return mask_.size(); }
   [[nodiscard]] const PackedMask& packedMask() const { return mask_; }
-  [[nodiscard]] std::size_t crossingCount() const { return outline_.crossingCount(); }
+  [[nodiscard]] bool isSoft() const { return soft_; }
+  [[nodiscard]] const Outline& outline() const { return outline_; }  ///< of a soft shape
   [[nodiscard]] Mask mask() const { return mask_.unpack(); }
 
   /// `continuousDistance` of a hard shape, `outlineDistance` of a soft one, within a box that holds
@@ -45,22 +45,5 @@ class PackedShape {
   bool soft_ = false;
   Outline outline_;  ///< of a soft shape
 };
-
-/// What decides about the memory of the shapes read so far, all of them smoothed.
-struct ShapeTally {
-  int frames = 0;
-  std::int64_t maskPixels = 0;
-  std::int64_t crossings = 0;  ///< of soft shapes
-};
-
-/// Told of the shapes read so far, after each; may throw to end the reading.
-using ShapeWatch = std::function<void(const ShapeTally& tally)>;
-
-/// Reads and smooths all masks of a sequence, which must have one size (asserted). A sequence is
-/// soft when any of its masks is; then all of them keep their sub-pixel outline. Otherwise all are
-/// cut at one half before they are smoothed.
-[[nodiscard]] std::vector<PackedShape> readShapes(int frameCount, const MaskReader& readMask,
-                                                  const MaskOptions& options,
-                                                  const ShapeWatch& watch = {});
 
 }  // namespace fluidymation

@@ -40,6 +40,8 @@ class Synthesizer {
   /// @return  the picture in CIELAB, meaningful inside the mask and where the shape covers part
   ///   of a pixel outside it.
   [[nodiscard]] Image<Lab> paint(const GuideFrame& frame);
+  /// The same, and frees the guides before the search, which needs only those round the mask.
+  [[nodiscard]] Image<Lab> paint(GuideFrame&& frame);
 
   /// Full-resolution matches of the frame painted last; the size of its frame.
   [[nodiscard]] NearestNeighborField nnf() const { return recropped(nnf_, box_, whole(size_)); }
@@ -85,6 +87,15 @@ class Synthesizer {
 
   /// Paints what of the frame lies in `box_`; @return  the picture of that part.
   [[nodiscard]] Image<Lab> paintBox(const GuideFrame& frame);
+
+  /// What is worked on of a frame.
+  struct FramePart {
+    Size size;  ///< of the whole
+    Box box;
+    GuideFrame guides;  ///< within the box
+  };
+  [[nodiscard]] FramePart partOf(const GuideFrame& frame) const;
+  [[nodiscard]] Image<Lab> paintPart(FramePart part);
 
   /// The frame on all levels, finest first.
   [[nodiscard]] std::vector<TargetLevel> levelsOf(const GuideFrame& frame) const;

@@ -10,7 +10,7 @@
 
 #include "fluidymation/guides/direction.h"
 #include "fluidymation/guides/mask.h"
-#include "fluidymation/guides/packed_shape.h"
+#include "fluidymation/guides/stored_shapes.h"
 #include "support/comparison.h"
 #include "support/shapes.h"
 
@@ -356,9 +356,10 @@ TEST(GuideStream, AHoldHasTheGuidesThatComputingThemAnewGives) {
       SCOPED_TRACE(i);
       GuideFrame frame = stream.next();
       GuideFrame anew;
-      const std::vector<PackedShape> alone = readShapes(
-          1, [&](int) { return input(i); }, options.mask);
-      alone.front().addTo(anew);
+      RecordStore store({});
+      const StoredShapes alone(
+          1, [&](int) { return input(i); }, options.mask, store);
+      alone.shape(0).addTo(anew);
       EXPECT_TRUE(test::equalEverywhere(anew.mask, frame.mask));
       EXPECT_TRUE(test::nearEverywhere(anew.distance, frame.distance, 0.0F));
       EXPECT_TRUE(test::nearEverywhere(anew.coverage, frame.coverage, 0.0F));

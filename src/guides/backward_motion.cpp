@@ -1,0 +1,66 @@
+#include "fluidymation/guides/backward_motion.h"
+
+#include <cassert>
+#include <utility>
+
+#include "fluidymation/core/index.h"
+#include "fluidymation/guides/accumulation.h"
+
+namespace fluidymation {
+namespace {
+
+using MovingFrame = BackwardMotion::MovingFrame;
+
+std::vector<Vec2> oneFrameEarlier(const MovingFrame& next, const std::vector<Vec2>& ofNext,
+                                  const MovingFrame& frame) {
+  return accumulateBackward(next.mask, ofNext, next.flow, frame.mask, frame.flow);
+}
+
+}  // namespace
+
+BackwardMotion::BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store)
+    : store_(store), frameCount_(frameCount), firstOfBlocks_(at(blockCount())) {
+  MovingFrame frame = frameOf(frameCount - 1);
+  std::vector<Vec2> motion(frame.flow.size());
+  for (int i = frameCount - 1;; --i) {
+    if (i == 0) break;
+    if (i % kStoredEvery == 0) firstOfBlocks_[at(i / kStoredEvery)] = store_.add(motion);
+    MovingFrame earlier = frameOf(i - 1);
+    motion = oneFrameEarlier(frame, motion, earlier);
+    frame = std::move(earlier);
+  }
+}
+
+int BackwardMotion::blockCount() const { return (frameCount_ + kStoredEvery - 1) / kStoredEvery; }
+
+std::vector<Vec2> BackwardMotion::next(const FrameOf& frameOf) {
+  assert(nextFrame_ < frameCount_);
+  if (waiting_.empty()) provideBlock(nextFrame_ / kStoredEvery, frameOf);
+  ++nextFrame_;
+  std::vector<Vec2> motion = std::move(waiting_.front());
+  waiting_.pop_front();
+  return motion;
+}
+
+void BackwardMotion::provideBlock(int block, const FrameOf& frameOf) {
+  const bool isLast = block + 1 == blockCount();
+  const int known = isLast ? frameCount_ - 1 : (block + 1) * kStoredEvery;
+  MovingFrame later = frameOf(known);
+  std::vector<Vec2> motion;
+  if (isLast) {
+    motion.resize(later.flow.size());  // nothing is still to come
+    waiting_.push_front(motion);
+  } else {
+    const RecordStore::Record first = firstOfBlocks_[at(block + 1)];
+    motion = store_.get<Vec2>(first);
+    store_.drop(first);
+  }
+  for (int i = known - 1; i >= block * kStoredEvery; --i) {
+    MovingFrame frame = frameOf(i);
+    motion = oneFrameEarlier(later, motion, frame);
+    waiting_.push_front(motion);
+    later = std::move(frame);
+  }
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fluidymation/options.h"
+#include "pipeline/memory.h"
+
+namespace fluidymation {
+
+/// What a run may need: --max-memory, else what the machine has.
+[[nodiscard]] std::int64_t memoryLimitBytes(const Options& options);
+
+/// @throws UsageError naming the sequences, what they need and what there may be, when that is more
+///   than the limit.
+void requireMemory(const Options& options, const RunSize& run);
+
+/// "memory: at most 0.4 of 23.4 GiB", for the user.
+[[nodiscard]] std::string memoryNote(const Options& options, const RunSize& run);
+
+}  // namespace fluidymation

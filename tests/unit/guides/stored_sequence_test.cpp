@@ -1,0 +1,95 @@
+// Where the frames of a sequence wait changes no byte of their guides.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "fluidymation/guides/guide_stream.h"
+#include "support/shapes.h"
+#include "support/temporary_folder.h"
+
+namespace fluidymation {
+namespace {
+
+const Size kSize{60, 50};
+
+template <typename Value>
+bool sameBytes(const Image<Value>& a, const Image<Value>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Value)) == 0);
+}
+
+bool sameGuides(const GuideFrame& a, const GuideFrame& b) {
+  return sameBytes(a.mask, b.mask) && sameBytes(a.distance, b.distance) &&
+         sameBytes(a.flow, b.flow) && sameBytes(a.direction, b.direction) &&
+         sameBytes(a.accForward, b.accForward) && sameBytes(a.accBackward, b.accBackward) &&
+         sameBytes(a.shape, b.shape) && sameBytes(a.coverage, b.coverage);
+}
+
+/// A disc that travels and grows at such a speed, holds still for three frames, and is gone for
+/// one.
+InputMask frameOf(int i, float speed, bool soft) {
+  if (i == 10) return {Mask(kSize)};
+  const auto step = static_cast<float>(i > 6 ? std::max(6, i - 3) : i);
+  const Vec2 centre{15.0F + speed * step, 24.0F};
+  const float radius = 8.0F + 0.3F * speed * step;
+  if (soft) return {test::softDisc(kSize, centre, radius), true};
+  return {test::disc(kSize, centre, radius)};
+}
+
+struct Case {
+  const char* name;
+  int frames;
+  float speed;
+  float timeBlurSigma;
+  float flowBlurSigma;
+  bool soft;
+};
+
+class StoredSequence : public ::testing::TestWithParam<Case> {};
+
+TEST_P(StoredSequence, HasTheSameGuidesInMemoryAndOnTheDisk) {
+  const Case& tested = GetParam();
+  const test::TemporaryFolder folder;
+  GuideOptions options;
+  options.mask = {1.0F, 0.4F};
+  options.timeBlurSigmaFrames = tested.timeBlurSigma;
+  options.flowBlurSigmaFrames = tested.flowBlurSigma;
+  options.shapeBlurRadiusPx = 5.0F;
+  const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
+  GuideStream inMemory(tested.frames, readMask, options);
+  GuideStream onDisk(tested.frames, readMask, options, {}, {{0, folder.path()}, {}, {}});
+  GuideStream onBoth(tested.frames, readMask, options, {}, {{20'000, folder.path()}, {}, {}});
+  for (int i = 0; i < tested.frames; ++i) {
+    const GuideFrame expected = inMemory.next();
+    EXPECT_TRUE(sameGuides(expected, onDisk.next())) << "frame " << i;
+    EXPECT_TRUE(sameGuides(expected, onBoth.next())) << "frame " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, StoredSequence,
+                         ::testing::Values(Case{"single", 1, 1.0F, 2.0F, 0.0F, false},
+                                           Case{"pair", 2, 1.0F, 2.0F, 0.0F, true},
+                                           Case{"block", 8, 0.4F, 2.0F, 0.0F, false},
+                                           Case{"slow", 17, 0.1F, 2.0F, 0.0F, true},
+                                           Case{"fast", 25, 3.0F, 2.0F, 0.0F, false},
+                                           Case{"unsmoothed", 12, 1.0F, 0.0F, 0.0F, true},
+                                           Case{"wide", 20, 1.0F, 9.0F, 0.0F, false},
+                                           Case{"averaged", 20, 1.0F, 0.0F, 1.5F, true}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(StoredSequenceOf, GivenFlowHasTheSameGuidesToo) {
+  const test::TemporaryFolder folder;
+  const auto readMask = [](int i) { return frameOf(i, 1.0F, false); };
+  const auto readFlow = [](int i, const Mask&) {
+    return Image<Vec2>(kSize, Vec2{0.1F * static_cast<float>(i), -0.0F});
+  };
+  GuideStream inMemory(14, readMask, {}, readFlow);
+  GuideStream onDisk(14, readMask, {}, readFlow, {{0, folder.path()}, {}, {}});
+  for (int i = 0; i < 14; ++i) EXPECT_TRUE(sameGuides(inMemory.next(), onDisk.next()));
+}
+
+}  // namespace
+}  // namespace fluidymation
