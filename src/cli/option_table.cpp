@@ -235,6 +235,12 @@ void addSynthesis(Table& table) {
              }});
 }
 
+[[nodiscard]] Words<ProgressFormat> progressFormats() {
+  return {{"human", ProgressFormat::kHuman},
+          {"json", ProgressFormat::kJson},
+          {"openjd", ProgressFormat::kOpenJobDescription}};
+}
+
 void addRunning(Table& table) {
   table.add({"--threads", kRunningGroup, "N",
              "changes the clock only, never a byte\n(default OMP_NUM_THREADS, else "
@@ -243,6 +249,13 @@ void addRunning(Table& table) {
              false, [](CommandLine& line, const std::string& value) {
                line.options.threads = parseInt("--threads", value, ranges::kThreads);
              }});
+  table.add(
+      {"--progress", kRunningGroup, "NAME",
+       "human: on stderr; json: an object a frame, openjd: Open Job\nDescription's lines; both "
+       "on stdout, with --quiet too\n(default human)",
+       false, [](CommandLine& line, const std::string& value) {
+         line.progress = parseWord("--progress", value, progressFormats());
+       }});
   table.add({"--quiet", kRunningGroup, "",
              "no progress and no notes; errors are still printed\n(default off)", false,
              [](CommandLine& line, const std::string&) { line.quiet = true; }});
