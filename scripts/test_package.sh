@@ -49,9 +49,8 @@ cmake --build consumer-build >/dev/null
 consumer-build/consumer
 
 dpkg --purge libfluidymation-dev fluidymation
-! command -v fluidymation
-for left in /usr/include/fluidymation /usr/lib/*/libfluidymation.a /usr/lib/*/cmake/fluidymation \
-  /usr/share/doc/fluidymation /usr/share/man/man1/fluidymation.1; do
+for left in /usr/bin/fluidymation /usr/include/fluidymation /usr/lib/*/libfluidymation.a \
+  /usr/lib/*/cmake/fluidymation /usr/share/doc/fluidymation /usr/share/man/man1/fluidymation.1; do
   test ! -e "$left"
 done
 EOF
