@@ -31,6 +31,7 @@ set -eux
 cd "$1"
 export DEBIAN_FRONTEND=noninteractive
 ls -l *.deb
+apt-get update -qq
 apt-get install -y -qq --no-install-recommends ./fluidymation_*.deb >apt.log 2>&1 || { cat apt.log; exit 1; }
 command -v fluidymation
 fluidymation --version
