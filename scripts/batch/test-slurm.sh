@@ -3,7 +3,7 @@
 # by hand, one is stopped as at its time limit and goes on by itself, one is left alone. All frames and manifests
 # have to be, byte for byte, those of scripts/batch/local.sh.
 # Usage: scripts/batch/test-slurm.sh [--time-limit] [TOOL]
-#   --time-limit   wait for a real limit of a minute instead of sending its signal (takes 4 minutes)
+#   --time-limit   wait for a real limit of a minute instead of sending its signal (some minutes)
 #   TOOL           the program (default: build/dev/fluidymation)
 # For root, in a container or a machine for tests: Slurm runs as root. Nothing is configured outside a temporary
 # folder, and all daemons are ended, whatever happens.
