@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the given groups of packages.txt, those that are missing.
-# Usage: scripts/install_packages.sh GROUP...      (groups: build samples generators test check)
+# Usage: scripts/install_packages.sh GROUP...      (groups: those in brackets in packages.txt)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 

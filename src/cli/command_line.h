@@ -7,9 +7,13 @@
 
 namespace fluidymation::cli {
 
+/// Whom the progress of a run is told.
+enum class ProgressFormat { kHuman, kJson, kOpenJobDescription };
+
 /// What the user asked for.
 struct CommandLine {
   Options options;
+  ProgressFormat progress = ProgressFormat::kHuman;
   bool quiet = false;
   std::optional<std::string> manifest;     ///< check the frames against it and do nothing else
   std::optional<std::string> information;  ///< help or version: print it and do nothing else

@@ -24,10 +24,13 @@ constexpr const char* kSynthesis = "Synthesis";
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
   table.add(
-      {"--preset", kLook, "NAME",
+      {"--preset",
+       kLook,
+       "NAME",
        "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
        "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
-       false, [](CommandLine& line, const std::string& value) {
+       false,
+       [](CommandLine& line, const std::string& value) {
          if (value == "thesis") {
            applyThesisPreset(line.options);
          } else if (value == "paper") {
@@ -35,7 +38,8 @@ void addLook(Table& table) {
          } else if (value != "standard") {
            throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
          }
-       }});
+       },
+       {"standard", "thesis", "paper"}});
 }
 
 void addSequences(Table& table) {
@@ -235,6 +239,12 @@ void addSynthesis(Table& table) {
              }});
 }
 
+[[nodiscard]] Words<ProgressFormat> progressFormats() {
+  return {{"human", ProgressFormat::kHuman},
+          {"json", ProgressFormat::kJson},
+          {"openjd", ProgressFormat::kOpenJobDescription}};
+}
+
 void addRunning(Table& table) {
   table.add({"--threads", kRunningGroup, "N",
              "changes the clock only, never a byte\n(default OMP_NUM_THREADS, else "
@@ -250,6 +260,15 @@ void addRunning(Table& table) {
        false, [](CommandLine& line, const std::string& value) {
          line.options.maxMemoryBytes = parseBytes("--max-memory", value, ranges::kLeastMemoryBytes);
        }});
+  table.add(
+      {"--progress", kRunningGroup, "NAME",
+       "human: on stderr; json: an object a frame, openjd: Open Job\nDescription's lines; both "
+       "on stdout, with --quiet too\n(default human)",
+       false,
+       [](CommandLine& line, const std::string& value) {
+         line.progress = parseWord("--progress", value, progressFormats());
+       },
+       namesOf(progressFormats())});
   table.add({"--quiet", kRunningGroup, "",
              "no progress and no notes; errors are still printed\n(default off)", false,
              [](CommandLine& line, const std::string&) { line.quiet = true; }});

@@ -19,6 +19,7 @@ struct Spec {
   std::string help;
   bool required = false;
   std::function<void(CommandLine&, const std::string& value)> apply;
+  std::vector<std::string> words = {};  ///< all values there are; empty where they are not words
 };
 
 /// All options but --help and --version, in the order of the help text, which is also the order in

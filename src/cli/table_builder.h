@@ -44,6 +44,13 @@ template <typename T>
 }
 
 template <typename T>
+[[nodiscard]] std::vector<std::string> namesOf(const Words<T>& words) {
+  std::vector<std::string> names;
+  for (const auto& [word, value] : words) names.push_back(word);
+  return names;
+}
+
+template <typename T>
 [[nodiscard]] T parseWord(const std::string& option, const std::string& text,
                           const Words<T>& words) {
   std::string wanted;
@@ -150,7 +157,8 @@ class Table {
                       what + facts(wordFor(words, defaultOf(field)), "", "", section), false,
                       [option, words, field](CommandLine& line, const std::string& value) {
                         field(line) = parseWord(option, value, words);
-                      }});
+                      },
+                      namesOf(words)});
   }
 
   void add(Spec spec) { specs_.push_back(std::move(spec)); }

@@ -1,12 +1,14 @@
 #include "cli/tool.h"
 
 #include <exception>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
 
 #include "cli/command_line.h"
 #include "cli/progress.h"
+#include "cli/progress_lines.h"
 #include "cli/resume_command.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -28,18 +30,32 @@ void printOutOfMemory(const Streams& streams) {
 
 void paint(const CommandLine& line, const Streams& streams, const Engine& engine,
            const StopSignal& stopSignal) {
+  const std::unique_ptr<ProgressLines> lines = progressLines(line.progress, streams.out);
   Progress::Style style =
-      streams.errIsTerminal ? Progress::Style::kTerminal : Progress::Style::kPlain;
+      streams.errIsTerminal && !lines ? Progress::Style::kTerminal : Progress::Style::kPlain;
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
-  const Observer observer{
-      [&](const std::string& text) { progress.note(text); },
-      [&](const FrameReport& report) { progress.frameDone(report); },
-      [&] { return stopSignal && stopSignal() != 0; },
-      [&](int frame, int frameCount) { progress.paintingBegins(frame, frameCount); }};
+  const Observer observer{[&](const std::string& text) { progress.note(text); },
+                          [&](const FrameReport& report) {
+                            if (lines) {
+                              lines->frameDone(report);
+                            } else {
+                              progress.frameDone(report);
+                            }
+                          },
+                          [&] { return stopSignal && stopSignal() != 0; },
+                          [&](int frame, int frameCount) {
+                            if (lines) lines->paintingBegins(frame, frameCount);
+                            progress.paintingBegins(frame, frameCount);
+                          }};
   try {
+    if (lines) lines->readingBegins();
     progress.readingBegins();
     engine(line.options, observer);
+  } catch (const Error& failure) {
+    progress.finishLine();
+    if (lines) lines->failed(failure.what());
+    throw;
   } catch (...) {
     progress.finishLine();
     throw;

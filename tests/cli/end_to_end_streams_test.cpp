@@ -90,6 +90,7 @@ TEST(EndToEndOutput, QuietIsQuiet) {
 TEST(EndToEndOutput, NoClosedOrFullStreamCostsAFrame) {
   const SmallScene scene;
   const SmallScene::Painting expected = scene.painting();
+  const ToolOptions json = {{"--progress", "json"}};  // speaks on stdout, else it does on stderr
   for (const StreamKind err : {StreamKind::kCaptured, StreamKind::kClosed, StreamKind::kBrokenPipe,
                                StreamKind::kFullDevice}) {
     for (const StreamKind out : {StreamKind::kCaptured, StreamKind::kClosed,
@@ -99,7 +100,8 @@ TEST(EndToEndOutput, NoClosedOrFullStreamCostsAFrame) {
       setup.err = err;
       setup.out = out;
       setup.inputClosed = out == StreamKind::kClosed;
-      const ProcessResult result = scene.paint({}, setup);
+      const ProcessResult result =
+          scene.paint(out == StreamKind::kCaptured ? ToolOptions{} : json, setup);
       EXPECT_EQ(result.exitCode, 0) << static_cast<int>(err) << " " << static_cast<int>(out);
       EXPECT_EQ(result.signal, 0);
       EXPECT_TRUE(filesOf(scene.file("out")) == expected)

@@ -57,6 +57,29 @@ TEST(Tool, PassesTheOptionsAndReportsFramesOnStderr) {
             "frame 2 of 2  0.50 s  o/2\n");
 }
 
+TEST(Tool, LinesForProgramsGoToStdoutAndNotesStayOnStderr) {
+  const auto noteAndFrame = [](const Options&, const Observer& observer) {
+    observer.note("one frame");
+    observer.paintingBegins(0, 1);
+    observer.frameDone({0, 1, 7, 0.5, "o/7"});
+  };
+  const std::string frame =
+      "{\"frame\":7,\"index\":0,\"count\":1,\"seconds\":0.5,\"path\":\"o/7\"}\n";
+  const Outcome json = run({"--progress", "json"}, noteAndFrame, true);
+  EXPECT_EQ(json.code, kDone);
+  EXPECT_EQ(json.out, frame);
+  EXPECT_EQ(json.err, "fluidymation: note: one frame\n");
+  const Outcome quiet = run({"--progress", "json", "--quiet"}, noteAndFrame);
+  EXPECT_EQ(quiet.out, frame);
+  EXPECT_EQ(quiet.err, "");
+
+  const Outcome failed = run({"--progress", "openjd"}, failing(Error("o/2: is full")));
+  EXPECT_EQ(failed.code, kFailed);
+  EXPECT_NE(failed.out.find("openjd_progress: 50\n"), std::string::npos) << failed.out;
+  EXPECT_NE(failed.out.find("openjd_fail: o/2: is full\n"), std::string::npos) << failed.out;
+  EXPECT_EQ(failed.err, "fluidymation: error: o/2: is full\n");
+}
+
 TEST(Tool, QuietLeavesOnlyErrors) {
   const Outcome outcome = run({"--quiet"}, failing(Error("o/2: cannot be written (full)")));
   EXPECT_EQ(outcome.code, kFailed);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "cli/command_line.h"
+#include "fluidymation/pipeline.h"
+
+namespace fluidymation::cli {
+
+/// Tells a program what happens, in whole lines, each flushed at once.
+class ProgressLines {
+ public:
+  virtual ~ProgressLines() = default;
+
+  virtual void readingBegins() = 0;
+  /// @param frame  to be painted first, from 0.
+  virtual void paintingBegins(int frame, int frameCount) = 0;
+  virtual void frameDone(const FrameReport& report) = 0;
+  /// The run ends without having painted all; `reason` is one line.
+  virtual void failed(const std::string& reason) = 0;
+};
+
+/// The lines of `format`, written to `out`; null for ProgressFormat::kHuman, see `Progress`.
+///
+/// kJson: of each frame written an object with
+///   "frame"    its number in the animation, as in file names
+///   "index"    its place in the sequence, from 0
+///   "count"    places up to the last frame to be painted
+///   "seconds"  since the frame before was written
+///   "path"     the file; bytes that are not UTF-8 become U+FFFD
+/// in UTF-8 and, like all JSON, without control characters: a name cannot break a line.
+///
+/// kOpenJobDescription: "openjd_status: ", "openjd_progress: " with the percentage of the frames
+/// this run has to paint, and "openjd_fail: "; Open Job Description's wiki, "How Jobs Are Run",
+/// Stdout/Stderr Messages.
+[[nodiscard]] std::unique_ptr<ProgressLines> progressLines(ProgressFormat format,
+                                                           std::ostream& out);
+
+}  // namespace fluidymation::cli

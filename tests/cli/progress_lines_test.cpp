@@ -1,0 +1,86 @@
+#include "cli/progress_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fluidymation::cli {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(ProgressLines, JsonHasOneObjectPerFrameAndNothingElse) {
+  std::ostringstream out;
+  const auto lines = progressLines(ProgressFormat::kJson, out);
+  lines->readingBegins();
+  lines->paintingBegins(0, 2);
+  lines->frameDone({0, 2, 101, 0.25, "out/101.png"});
+  lines->frameDone({1, 2, 102, 1.5, "out/102.png"});
+  lines->failed("no");
+  EXPECT_EQ(out.str(),
+            "{\"frame\":101,\"index\":0,\"count\":2,\"seconds\":0.25,\"path\":\"out/101.png\"}\n"
+            "{\"frame\":102,\"index\":1,\"count\":2,\"seconds\":1.5,\"path\":\"out/102.png\"}\n");
+}
+
+TEST(ProgressLines, JsonIsValidForAnyFileName) {
+  std::string everyByte;
+  for (int byte = 1; byte <= 255; ++byte) everyByte += static_cast<char>(byte);
+  const std::vector<std::string> names = {"a\"b\\c.png", "line\nbreak\r.png", "\xc3\xa4.png",
+                                          "\xc3", everyByte};
+  constexpr std::size_t kInUtf8 = 3;  // of these
+  std::ostringstream out;
+  const auto lines = progressLines(ProgressFormat::kJson, out);
+  for (const std::string& name : names) lines->frameDone({0, 1, 1, 0.0, name});
+  const std::vector<std::string> written = linesOf(out.str());
+  ASSERT_EQ(written.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const nlohmann::json object = nlohmann::json::parse(written[i], nullptr, false);
+    ASSERT_FALSE(object.is_discarded()) << written[i];
+    if (i < kInUtf8) {
+      EXPECT_EQ(object["path"], names[i]);
+    }
+  }
+  EXPECT_EQ(nlohmann::json::parse(written[3])["path"], "\xef\xbf\xbd");
+}
+
+TEST(ProgressLines, OpenJobDescriptionGetsPercentagesOfWhatThisRunPaints) {
+  std::ostringstream out;
+  const auto lines = progressLines(ProgressFormat::kOpenJobDescription, out);
+  lines->readingBegins();
+  lines->paintingBegins(2, 5);
+  lines->frameDone({2, 5, 30, 0.5, "out/\n30.png"});
+  lines->frameDone({3, 5, 31, 0.5, "out/31.png"});
+  lines->frameDone({4, 5, 32, 0.5, "out/32.png"});
+  EXPECT_EQ(out.str(),
+            "openjd_progress: 0\n"
+            "openjd_status: reading the masks and the exemplar\n"
+            "openjd_status: frame 3 of 5 is painted\n"
+            "openjd_progress: 33\n"
+            "openjd_status: frame 3 of 5 is written: out/?30.png\n"
+            "openjd_progress: 66\n"
+            "openjd_status: frame 4 of 5 is written: out/31.png\n"
+            "openjd_progress: 100\n"
+            "openjd_status: frame 5 of 5 is written: out/32.png\n");
+}
+
+TEST(ProgressLines, OpenJobDescriptionIsToldOfAFailureInOneLine) {
+  std::ostringstream out;
+  progressLines(ProgressFormat::kOpenJobDescription, out)->failed("a: cannot be read\n(gone)");
+  EXPECT_EQ(out.str(), "openjd_fail: a: cannot be read?(gone)\n");
+}
+
+TEST(ProgressLines, PeopleGetNone) {
+  std::ostringstream out;
+  EXPECT_EQ(progressLines(ProgressFormat::kHuman, out), nullptr);
+}
+
+}  // namespace
+}  // namespace fluidymation::cli
