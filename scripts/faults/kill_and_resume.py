@@ -115,7 +115,8 @@ def main():
                                       arguments.kills, arguments.seed, lambda line: print(line, flush=True))
         except Differs as difference:
             sys.exit(str(difference))
-    print(f"{sum(stages.values())} kills: " + ", ".join(f"{count} while {stage}" for stage, count in stages.most_common()))
+    print(f"{sum(stages.values())} kills: "
+          + ", ".join(f"{count} while {stage}" for stage, count in stages.most_common()))
 
 
 if __name__ == "__main__":

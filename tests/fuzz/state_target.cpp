@@ -6,6 +6,7 @@
 
 #include "checkpoint/checkpoint_file.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "fuzz_target.h"
 #include "state_example.h"
@@ -13,6 +14,8 @@
 
 namespace fluidymation::fuzz {
 namespace {
+
+constexpr float kBorderWidthPx = 3.0F;
 
 /// What goes on from the states: made once, for it takes longer than a try.
 class Scene {
@@ -48,7 +51,8 @@ class Scene {
 
   test::GrowingDisc target_;
   SynthesisOptions options_;
-  Exemplar exemplar_ = test::discExemplar(film(), 0, 3.0F, 1);
+  Exemplar exemplar_ = test::discExemplar(
+      film(), coarsestLevel(kStateLimits.exemplar, kStateLimits.target), kBorderWidthPx, 1);
 };
 
 }  // namespace
