@@ -5,6 +5,7 @@ import pathlib
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import time
 
@@ -64,6 +65,8 @@ class Bench:
                 environment["FLUIDYMATION_FAULT_" + name] = str(value)
 
         def prepare():
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                signal.signal(number, signal.SIG_DFL)  # a shell's background jobs ignore some
             if limit:
                 resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
 
