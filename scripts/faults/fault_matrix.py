@@ -30,8 +30,6 @@ import kill_and_resume
 import small_scene
 from fault_bench import MANIFEST, ROOT, Bench, Broken, Skipped
 
-NOBODY = 65534
-
 
 # ------------------------------------------------------------------------------------------------
 # The rows: each raises Broken or Skipped, and may return a remark.
@@ -128,20 +126,11 @@ def slow_writes(bench):
     bench.must_equal(out)
 
 
-def as_ordinary_user(bench):
-    if os.geteuid() != 0:
-        return None
-    for path in (bench.folder, *bench.folder.rglob("*")):
-        if not path.is_symlink():
-            os.chown(path, NOBODY, NOBODY)
-    return NOBODY
-
-
 def read_only_folder(bench):
     """a read-only folder"""
     out = bench.fresh()
     out.mkdir()
-    user = as_ordinary_user(bench)
+    user = bench.give_to_ordinary_user()
     out.chmod(0o555)
     try:
         bench.must_fail(bench.run(out, user=user), out, "Permission denied")
@@ -155,7 +144,7 @@ def read_only_folder(bench):
 def read_only_while_running(bench):
     """a folder that becomes read-only while frames are painted"""
     out = bench.fresh()
-    user = as_ordinary_user(bench)
+    user = bench.give_to_ordinary_user()
     try:
         result = bench.paused(out, THIRD, 1, lambda _: out.chmod(0o555), user=user)
     finally:
@@ -170,14 +159,14 @@ def permission_denied(bench):
     """permission denied: an input, the manifest's frame, a state"""
     scene = bench.own_scene()
     for name in ("src/00002.png", "mask/00003.png", "target/00004.png"):
-        user = as_ordinary_user(bench)
+        user = bench.give_to_ordinary_user()
         (scene / name).chmod(0)
         bench.must_fail(bench.run(bench.fresh(), scene=scene, user=user), scene / name, "Permission denied")
         (scene / name).chmod(0o644)
     out = bench.fresh()
     bench.run(out, faults={"FILES": "/.00004.png", "ERROR": errno.EIO})
     state = max((out / ".fluidymation").glob("state-*"))
-    user = as_ordinary_user(bench)
+    user = bench.give_to_ordinary_user()
     state.chmod(0)
     bench.must_fail(bench.run(out, "--resume", user=user), state, "Permission denied")
     state.chmod(0o644)
@@ -207,7 +196,7 @@ def inputs_change(bench):
     tried = 0
     for name in ("target/00004.png", "src/00002.png") if bench.quick else (
             "target/00001.png", "target/00004.png", "src/00002.png", "mask/00002.png"):
-        opens = count_opens(bench, name)
+        opens = bench.count_opens(name)
         for way, change in ways.items():
             for times in (opens,) if bench.quick else range(1, opens + 1):
                 scene, out = bench.own_scene(), bench.fresh()
@@ -218,17 +207,6 @@ def inputs_change(bench):
                 bench.must_be_whole(out)
                 tried += 1
     return f"{tried} moments"
-
-
-def count_opens(bench, name):
-    """How often an input is opened in a run."""
-    times = 1
-    while True:
-        try:
-            bench.paused(bench.fresh("count"), f"scene/{name}", times, lambda _: None)
-        except Broken:
-            return times - 1
-        times += 1
 
 
 def input_folder_vanishes(bench):
