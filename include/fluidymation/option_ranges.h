@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "fluidymation/io/input_limits.h"
 #include "fluidymation/options.h"
 
 namespace fluidymation {
@@ -28,7 +29,7 @@ struct Range {
 namespace ranges {
 
 inline constexpr Range kFrameNumbers{-1e9, 1e9};
-inline constexpr Range kFrameCounts{1, 1e6};
+inline constexpr Range kFrameCounts{1, kMaxFrames};
 inline constexpr Range kSpeeds{-1e6, 1e6};  ///< and not 0
 inline constexpr Range kScales{0, 16, true};
 inline constexpr Range kSigmasPx{0, 1000};

@@ -65,46 +65,58 @@ def stage_of(folder):
     return "painting"
 
 
+class Differs(Exception):
+    """What a killed and resumed run made that an undisturbed one does not."""
+
+
+def kill_and_compare(command_of, folder, kills, seed, tell=lambda line: None):
+    """Kills runs until there were so many kills. Returns how many there were by stage; raises Differs.
+
+    command_of: gives the command that paints into a folder. tell: is given a line each round.
+    """
+    times = random.Random(seed)
+    stages = collections.Counter()
+    begun = time.monotonic()
+    subprocess.run(command_of(folder) + ["--threads", "2"], check=True)
+    longest = time.monotonic() - begun
+    expected = files_of(folder)
+    while sum(stages.values()) < kills:
+        shutil.rmtree(folder)
+        here = 0
+        while True:
+            process = subprocess.Popen(command_of(folder) + ["--resume", "--threads", times.choice("123")])
+            try:
+                code = process.wait(timeout=times.uniform(0.0, longest))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+                here += 1
+                stages[stage_of(folder) if folder.exists() else "reading"] += 1
+                continue
+            if code != 0:
+                raise Differs(f"a resumed run ended with exit code {code} after {here} kills")
+            break
+        found = files_of(folder)
+        if found != expected:
+            names = sorted(name for name in expected.keys() | found.keys() if expected.get(name) != found.get(name))
+            raise Differs(f"after {here} kills these differ: {', '.join(names)}")
+        left = sorted(path.name for path in (folder / ".fluidymation").iterdir())
+        if left != ["times.json"]:
+            raise Differs(f"after {here} kills these are left over: {', '.join(left)}")
+        tell(f"{len(found) - 1} frames and the manifest are the same after {here} kills")
+    return stages
+
+
 def main():
     arguments = parsed_arguments()
-    times = random.Random(arguments.seed)
-    stages = collections.Counter()
     with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary) / "out"
-        begun = time.monotonic()
-        subprocess.run(command_of(arguments, folder) + ["--threads", "2"], check=True)
-        longest = time.monotonic() - begun
-        expected = files_of(folder)
-        while sum(stages.values()) < arguments.kills:
-            shutil.rmtree(folder)
-            kills = 0
-            while True:
-                command = command_of(arguments, folder) + ["--resume", "--threads", times.choice("123")]
-                process = subprocess.Popen(command)
-                try:
-                    code = process.wait(timeout=times.uniform(0.0, longest))
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.wait()
-                    kills += 1
-                    if folder.exists():
-                        stages[stage_of(folder)] += 1
-                    else:
-                        stages["reading"] += 1
-                    continue
-                if code != 0:
-                    sys.exit(f"a resumed run ended with exit code {code} after {kills} kills")
-                break
-            found = files_of(folder)
-            if found != expected:
-                names = sorted(name for name in expected.keys() | found.keys()
-                               if expected.get(name) != found.get(name))
-                sys.exit(f"after {kills} kills these differ: {', '.join(names)}")
-            left = sorted(path.name for path in (folder / ".fluidymation").iterdir())
-            if left != ["times.json"]:
-                sys.exit(f"after {kills} kills these are left over: {', '.join(left)}")
-            print(f"{len(found) - 1} frames and the manifest are the same after {kills} kills", flush=True)
-    print(f"{sum(stages.values())} kills: " + ", ".join(f"{count} while {stage}" for stage, count in stages.most_common()))
+        try:
+            stages = kill_and_compare(lambda out: command_of(arguments, out), pathlib.Path(temporary) / "out",
+                                      arguments.kills, arguments.seed, lambda line: print(line, flush=True))
+        except Differs as difference:
+            sys.exit(str(difference))
+    print(f"{sum(stages.values())} kills: "
+          + ", ".join(f"{count} while {stage}" for stage, count in stages.most_common()))
 
 
 if __name__ == "__main__":

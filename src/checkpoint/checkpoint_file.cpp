@@ -26,11 +26,7 @@ namespace {
 
 std::vector<std::uint8_t> readWhole(const std::string& path, std::int64_t mostBytes,
                                     const std::string& wanted) {
-  const InputFile input = openInput(path, wanted);
-  if (input.byteCount > mostBytes) {
-    throw Error(path + ": has " + std::to_string(input.byteCount) + " bytes; wanted " + wanted +
-                " of at most " + std::to_string(mostBytes));
-  }
+  const InputFile input = openInput(path, wanted, mostBytes);
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(input.byteCount));
   if (std::fread(bytes.data(), 1, bytes.size(), input.file.get()) != bytes.size()) {
     throw Error(path + ": cannot be read to its end");

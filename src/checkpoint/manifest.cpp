@@ -7,8 +7,10 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "checkpoint/checkpoint_file.h"
+#include "checkpoint/percent_encoding.h"
 #include "fluidymation/core/error.h"
 
 namespace fluidymation {
@@ -22,28 +24,56 @@ constexpr int kFormat = 1;
 
 /// No manifest is larger, with names of 255 bytes.
 constexpr std::int64_t kFileBytes = 64;     // number, digest, and what JSON puts round them
-constexpr std::int64_t kFrameBytes = 900;   // likewise, and a name; U+FFFD takes three bytes
-constexpr std::int64_t kTextBytes = 16384;  // name and value: a path of 4000 bytes, each as U+FFFD
+constexpr std::int64_t kFrameBytes = 900;   // likewise, and a name; "%FF" takes three bytes
+constexpr std::int64_t kTextBytes = 16384;  // name and value: a path of 4000 bytes, each as "%FF"
 constexpr std::int64_t kMostBytes =
     (kFrameBytes + kFileBytes * static_cast<std::int64_t>(kMostInputs)) *
         static_cast<std::int64_t>(kMostFrames) +
     kTextBytes * static_cast<std::int64_t>(kMostOptions + 2 * kMostInputs);
 
 [[nodiscard]] std::vector<std::uint8_t> bytesOf(const Json& json) {
-  const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = json.dump(1, ' ') + "\n";
   return {text.begin(), text.end()};
+}
+
+/// JSON's texts are UTF-8, names of files are any bytes. Those that are no UTF-8 become an object
+/// of this one member, whose value has "%FF" for a byte that is no letter, digit or one of ".-_/".
+constexpr const char* kPercentEncoded = "percent-encoded";
+
+[[nodiscard]] Json jsonOf(const std::string& text) {
+  Json json = text;
+  try {
+    (void)json.dump();  // throws where it is no UTF-8
+  } catch (const Json::type_error&) {
+    json = {{kPercentEncoded, percentEncoded(text)}};
+  }
+  return json;
+}
+
+[[nodiscard]] std::string textIn(const SortedJson& json) {
+  if (!json.is_object()) return json.get<std::string>();
+  const std::optional<std::string> text =
+      percentDecoded(json.at(kPercentEncoded).get<std::string>());
+  if (!text) throw Error("holds a text that is badly encoded");
+  return *text;
 }
 
 [[nodiscard]] Json objectOf(const std::vector<std::pair<std::string, std::string>>& values) {
   Json object = Json::object();
-  for (const auto& [name, value] : values) object[name] = value;
+  for (const auto& [name, value] : values) object[name] = jsonOf(value);
   return object;
+}
+
+/// `items` of null or of a number would be taken for those of nothing.
+[[nodiscard]] const SortedJson& requiredObject(const SortedJson& json) {
+  if (!json.is_object()) throw Error("is damaged, or no manifest of fluidymation");
+  return json;
 }
 
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> valuesOf(const SortedJson& object) {
   std::vector<std::pair<std::string, std::string>> values;
-  for (const auto& [name, value] : object.items()) {
-    values.emplace_back(name, value.get<std::string>());
+  for (const auto& [name, value] : requiredObject(object).items()) {
+    values.emplace_back(name, textIn(value));
   }
   return values;
 }
@@ -58,7 +88,10 @@ constexpr std::int64_t kMostBytes =
   int number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, number);
-  if (failure != std::errc{} || stop != end) throw Error("holds a frame number that is none");
+  // Only one spelling, so that no frame comes twice: "07" is none.
+  if (failure != std::errc{} || stop != end || std::to_string(number) != text) {
+    throw Error("holds a frame number that is none");
+  }
   return number;
 }
 
@@ -81,12 +114,24 @@ void sortByNumber(InputDigests& input) {
 
 /// A name and no way to elsewhere.
 [[nodiscard]] std::string fileNameIn(const SortedJson& text) {
-  auto name = text.get<std::string>();
+  std::string name = textIn(text);
   if (name.empty() || name == "." || name == ".." ||
       name.find_first_of(std::string("/\0", 2)) != std::string::npos) {
     throw Error("holds a file name that is none");
   }
   return name;
+}
+
+/// @throws Error where a number or a file comes twice.
+void requireOnce(const std::vector<Manifest::Frame>& frames) {
+  std::set<int> numbers;
+  std::set<std::string> files;
+  for (const Manifest::Frame& frame : frames) {
+    if (!numbers.insert(frame.number).second) {
+      throw Error("tells of frame " + std::to_string(frame.number) + " twice");
+    }
+    if (!files.insert(frame.file).second) throw Error("tells of the file " + frame.file + " twice");
+  }
 }
 
 [[nodiscard]] Manifest manifestIn(const SortedJson& json) {
@@ -101,23 +146,27 @@ void sortByNumber(InputDigests& input) {
   manifest.complete = json.at("complete").get<bool>();
   manifest.paths = valuesOf(json.at("paths"));
   manifest.fingerprint.options = valuesOf(json.at("options"));
-  if (manifest.fingerprint.options.size() > kMostOptions ||
-      json.at("inputs").size() > kMostInputs || json.at("frames").size() > kMostFrames) {
+  const SortedJson& inputs = requiredObject(json.at("inputs"));
+  const SortedJson& frames = json.at("frames");
+  if (!frames.is_array()) throw Error("is damaged, or no manifest of fluidymation");
+  if (manifest.fingerprint.options.size() > kMostOptions || inputs.size() > kMostInputs ||
+      frames.size() > kMostFrames) {
     throw Error("holds more than a run can have");
   }
-  for (const auto& [option, files] : json.at("inputs").items()) {
+  for (const auto& [option, files] : inputs.items()) {
     InputDigests input{option, {}};
-    if (files.size() > kMostFrames) throw Error("holds more than a run can have");
+    if (requiredObject(files).size() > kMostFrames) throw Error("holds more than a run can have");
     for (const auto& [number, digest] : files.items()) {
       input.files.push_back({numberOf(number), digestIn(digest)});
     }
     sortByNumber(input);
     manifest.fingerprint.inputs.push_back(std::move(input));
   }
-  for (const SortedJson& frame : json.at("frames")) {
+  for (const SortedJson& frame : frames) {
     manifest.frames.push_back(
         {numberIn(frame.at("number")), fileNameIn(frame.at("file")), digestIn(frame.at("xxh128"))});
   }
+  requireOnce(manifest.frames);
   return manifest;
 }
 
@@ -154,7 +203,7 @@ std::vector<std::uint8_t> encode(const Manifest& manifest) {
   Json& frames = json["frames"] = Json::array();
   for (const Manifest::Frame& frame : manifest.frames) {
     frames.push_back(
-        {{"number", frame.number}, {"file", frame.file}, {"xxh128", frame.digest.text()}});
+        {{"number", frame.number}, {"file", jsonOf(frame.file)}, {"xxh128", frame.digest.text()}});
   }
   return bytesOf(json);
 }

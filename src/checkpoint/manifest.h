@@ -28,11 +28,13 @@ struct Manifest {
   std::vector<Frame> frames;  ///< in the sequence's order
 };
 
-/// The manifest's file. Bytes that are no UTF-8, in paths, are replaced by U+FFFD.
+/// The manifest's file. Paths and names that are no UTF-8 are written percent-encoded, as an object
+/// that says so.
 [[nodiscard]] std::vector<std::uint8_t> encode(const Manifest& manifest);
 
 /// The reverse; the inputs' files come sorted by number.
-/// @throws Error naming `path` when it cannot be read or is no manifest.
+/// @throws Error naming `path` when it cannot be read, is no manifest, or tells of a frame or of a
+///   file twice.
 [[nodiscard]] Manifest readManifest(const std::string& path);
 
 /// Whether a manifest that was read tells of a run with this fingerprint.

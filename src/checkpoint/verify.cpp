@@ -60,6 +60,34 @@ namespace fs = std::filesystem;
   return path + ": changed";
 }
 
+/// Frames of the target that the manifest does not tell of: "7, 9-12", cut where it becomes long.
+/// Empty where all are there, or the manifest does not say what the target has.
+[[nodiscard]] std::string missingFrames(const Manifest& manifest) {
+  constexpr std::size_t kLongestList = 160;  // bytes
+  std::set<int> painted;
+  for (const Manifest::Frame& frame : manifest.frames) painted.insert(frame.number);
+  std::string text;
+  std::size_t unlisted = 0;
+  for (const InputDigests& input : manifest.fingerprint.inputs) {
+    if (input.option != "--target-path") continue;
+    const std::vector<InputDigests::File>& files = input.files;  // sorted by number
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const std::size_t begin = i;
+      while (i < files.size() && painted.count(files[i].number) == 0) ++i;
+      if (i == begin) continue;
+      if (text.size() > kLongestList) {
+        unlisted += i - begin;
+        continue;
+      }
+      const std::string first = std::to_string(files[begin].number);
+      const std::string last = std::to_string(files[i - 1].number);
+      text += (text.empty() ? "" : ", ") + first;
+      if (i - begin > 1) text += (first[0] == '-' || last[0] == '-' ? " to " : "-") + last;
+    }
+  }
+  return unlisted == 0 ? text : text + " and " + std::to_string(unlisted) + " more";
+}
+
 }  // namespace
 
 Verification verify(const std::string& manifestPath, const std::function<void()>& beforeEach) {
@@ -77,8 +105,10 @@ Verification verify(const std::string& manifestPath, const std::function<void()>
   for (const std::string& name : extraNames(manifest, listed)) {
     result.faults.push_back((folder / name).string() + ": extra, not in the manifest");
   }
-  if (!manifest.complete) {
-    result.faults.push_back(manifestPath + ": not all frames of the shot are painted");
+  const std::string missing = missingFrames(manifest);
+  if (!manifest.complete || !missing.empty()) {
+    result.faults.push_back(manifestPath + ": not all frames of the shot are painted" +
+                            (missing.empty() ? "" : "; it lacks " + missing));
   }
   return result;
 }

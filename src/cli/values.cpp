@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -30,10 +31,18 @@ template <typename T>
   return value && range.contains(*value) ? value : std::nullopt;
 }
 
+/// Whether `text` is a number that is not 0, but nearer to it than any T.
+template <typename T>
+[[nodiscard]] bool vanishes(const std::string& text) {
+  const std::optional<long double> value = parseWhole<long double>(text);
+  return value && !parseWhole<T>(text) && std::abs(*value) < 1.0L;
+}
+
 template <typename T>
 [[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range) {
   if (const std::optional<T> value = parseWithin<T>(text, range)) return *value;
-  throw UsageError(shown(option, text) + ": wanted a number in " + range.text());
+  throw UsageError(shown(option, text) + ": " + (vanishes<T>(text) ? "is too near to 0; " : "") +
+                   "wanted a number in " + range.text());
 }
 
 [[nodiscard]] std::vector<std::string> splitAtCommas(const std::string& text) {

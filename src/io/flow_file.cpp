@@ -58,7 +58,7 @@ struct FlowInput {
 /// Opens the file and checks all that is told without its vectors, before anything is allocated.
 [[nodiscard]] FlowInput openFlow(const std::string& path) {
   FlowInput flow;
-  flow.input = openInput(path, kWanted);
+  flow.input = openInput(path, kWanted, kMaxImageFileBytes);
   std::array<std::uint8_t, kHeaderBytes> header{};
   const auto present = static_cast<std::size_t>(
       std::min(flow.input.byteCount, static_cast<std::int64_t>(header.size())));
@@ -75,8 +75,8 @@ struct FlowInput {
   if (present < header.size())
     throw Error(path + ": damaged .flo file (it ends within the header)");
 
-  const std::int64_t width = littleEndian(header.data() + 4);
-  const std::int64_t height = littleEndian(header.data() + 8);
+  const auto width = std::int64_t{static_cast<std::int32_t>(littleEndian(header.data() + 4))};
+  const auto height = std::int64_t{static_cast<std::int32_t>(littleEndian(header.data() + 8))};
   if (width < 1 || height < 1 || width > kMaxImageSidePx || height > kMaxImageSidePx ||
       width * height > kMaxImagePixels) {
     throw Error(path + ": claims " + sizeText(width, height) + " pixels; wanted 1 to " +

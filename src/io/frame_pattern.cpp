@@ -4,13 +4,13 @@
 #include <charconv>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/io/input_limits.h"
 
 namespace fluidymation {
 namespace {
 
-constexpr std::size_t kLongestPattern = 4000;  // bytes; Linux refuses paths from 4096 up
-constexpr int kLargestWidth = 20;              // digits; no int has more than 10
-constexpr std::size_t kLongestShown = 120;     // bytes of a faulty pattern shown in its message
+constexpr int kLargestWidth = 20;           // digits; no int has more than 10
+constexpr std::size_t kLongestShown = 120;  // bytes of a faulty pattern shown in its message
 
 [[nodiscard]] bool isDigit(char c) { return c >= '0' && c <= '9'; }
 [[nodiscard]] bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
@@ -60,8 +60,8 @@ struct Conversion {
 
 FramePattern::FramePattern(const std::string& text) : text_(text) {
   if (text.empty()) throw UsageError("the path is empty; wanted one such as frames/%05d.png");
-  if (text.size() > kLongestPattern) {
-    refuse(text, "longer than " + std::to_string(kLongestPattern) + " bytes");
+  if (text.size() > kMaxPatternBytes) {
+    refuse(text, "longer than " + std::to_string(kMaxPatternBytes) + " bytes");
   }
   if (std::any_of(text.begin(), text.end(), isControl)) {
     refuse(text, "contains a line break or another control character");

@@ -12,7 +12,7 @@
 
 namespace fluidymation {
 
-InputFile openInput(const std::string& path, const std::string& wanted) {
+InputFile openInput(const std::string& path, const std::string& wanted, std::int64_t mostBytes) {
   // Without O_NONBLOCK a named pipe of that name would wait for a writer for ever.
   const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) {
@@ -30,6 +30,10 @@ InputFile openInput(const std::string& path, const std::string& wanted) {
                 "; wanted " + wanted);
   }
   if (status.st_size == 0) throw Error(path + ": is empty; wanted " + wanted);
+  if (status.st_size > mostBytes) {
+    throw Error(path + ": has " + std::to_string(status.st_size) + " bytes; wanted " + wanted +
+                " of at most " + std::to_string(mostBytes));
+  }
   result.byteCount = status.st_size;
   return result;
 }

@@ -17,8 +17,10 @@ struct InputFile {
   std::int64_t byteCount = 0;
 };
 
-/// @param wanted  what the file should be, for the message: "a PNG file".
-/// @throws Error naming the file when it cannot be opened, is empty or no regular file.
-[[nodiscard]] InputFile openInput(const std::string& path, const std::string& wanted);
+/// @param wanted     what the file should be, for the message: "a PNG file".
+/// @param mostBytes  that it may have.
+/// @throws Error naming the file when it cannot be opened, is empty, too large or no regular file.
+[[nodiscard]] InputFile openInput(const std::string& path, const std::string& wanted,
+                                  std::int64_t mostBytes);
 
 }  // namespace fluidymation

@@ -29,7 +29,9 @@ namespace {
 // ---------------------------------------------------------------------------------------------
 // The file and its header
 
-[[nodiscard]] InputFile openPng(const std::string& path) { return openInput(path, "a PNG file"); }
+[[nodiscard]] InputFile openPng(const std::string& path) {
+  return openInput(path, "a PNG file", kMaxImageFileBytes);
+}
 
 /// What the file claims to be: the IHDR chunk, which is the first in every PNG file.
 struct Header {

@@ -21,6 +21,7 @@ FlowSequence openFlowSequence(const std::string& path, const std::string& option
   int dispensable = -1;
   if (frameCount > 1) dispensable = flow.seenOnFrame ? 0 : frameCount - 1;
   flow.files = findCompanions(FramePattern(path), masks.files, sequence, option, dispensable);
+  flow.identities = identitiesOf(flow.files);
   for (std::size_t i = 0; i < flow.files.paths.size(); ++i) {
     if (flow.files.paths[i].empty()) continue;
     const Size size = readFlowSize(flow.files.paths[i]);
@@ -57,7 +58,9 @@ bool GivenFlow::has(int frame) const {
 
 Image<Vec2> GivenFlow::read(int frame) const {
   const std::string& path = sequence_.files.paths[static_cast<std::size_t>(frame)];
-  Image<Vec2> flow = resize(readFlow(path, sequence_.stored), sequence_.scaled);
+  const Image<Vec2> stored = readFlow(path, sequence_.stored);
+  requireUnchanged(path, sequence_.identities[static_cast<std::size_t>(frame)]);
+  Image<Vec2> flow = resize(stored, sequence_.scaled);
   for (Vec2& v : flow) v = sequence_.factor * v;
   return flow;
 }

@@ -19,6 +19,7 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   InputSequence input;
   input.files = findFrames(FramePattern(path), sequence, optionName);
   if (!input.files.note.empty() && observer.note) observer.note(input.files.note);
+  input.identities = identitiesOf(input.files);  // before anything is read of them
   input.stored = commonSize(input.files);
   input.scaled = scaledSize(input.stored, sequence.scale);
   if (input.scaled.width > kMaxImageSidePx || input.scaled.height > kMaxImageSidePx ||
@@ -67,6 +68,14 @@ Inputs openInputs(const Options& options, const Observer& observer) {
   return inputs;
 }
 
+std::vector<FileIdentity> identitiesOf(const FrameFiles& files) {
+  std::vector<FileIdentity> identities;
+  for (const std::string& path : files.paths) {
+    identities.push_back(path.empty() ? FileIdentity{} : fileIdentityOf(path));
+  }
+  return identities;
+}
+
 RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   RunSize run;
   run.exemplar = inputs.color.scaled;
@@ -89,9 +98,11 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
 }
 
 MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>& beforeFrame) {
-  for (const std::string& path : masks.files.paths) {
+  for (std::size_t i = 0; i < masks.files.paths.size(); ++i) {
     beforeFrame();
-    if (hasTransparency(path, masks.stored)) return MaskChannel::kAlpha;
+    const bool transparent = hasTransparency(masks.files.paths[i], masks.stored);
+    requireUnchanged(masks.files.paths[i], masks.identities[i]);
+    if (transparent) return MaskChannel::kAlpha;
   }
   return MaskChannel::kBrightness;
 }
@@ -99,6 +110,7 @@ MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>&
 InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
   const Image<float> stored = readCoverage(path, channel, masks.stored);
+  requireUnchanged(path, masks.identities[static_cast<std::size_t>(frame)]);
   const bool soft =
       std::any_of(stored.begin(), stored.end(), [](float c) { return c > 0.0F && c < 1.0F; });
   return {resize(stored, masks.scaled), soft};
@@ -106,7 +118,9 @@ InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
 
 Image<Rgb> readPicture(const InputSequence& pictures, int frame) {
   const std::string& path = pictures.files.paths[static_cast<std::size_t>(frame)];
-  return resize(readColor(path, pictures.stored), pictures.scaled);
+  const Image<Rgb> stored = readColor(path, pictures.stored);
+  requireUnchanged(path, pictures.identities[static_cast<std::size_t>(frame)]);
+  return resize(stored, pictures.scaled);
 }
 
 }  // namespace fluidymation

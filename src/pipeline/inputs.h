@@ -4,11 +4,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/input_mask.h"
+#include "fluidymation/io/file_identity.h"
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/options.h"
@@ -20,6 +22,7 @@ namespace fluidymation {
 /// A sequence as found on disk, the size of its frames and the one they are scaled to.
 struct InputSequence {
   FrameFiles files;
+  std::vector<FileIdentity> identities;  ///< of the files when the run began
   Size stored;
   Size scaled;
 };
@@ -27,6 +30,7 @@ struct InputSequence {
 /// Flow files of a sequence of masks; of the masks' size.
 struct FlowSequence {
   FrameFiles files;  ///< one a frame; at the end where none is needed the path may be empty
+  std::vector<FileIdentity> identities;  ///< of the files when the run began
   Size stored;
   Size scaled;
   float factor = 1.0F;  ///< of the vectors: the sequence's scale, negative where it is reversed
@@ -47,6 +51,9 @@ struct Inputs {
 /// @throws Error, UsageError naming file or option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
 
+/// Of all files, by their order; nothing of those that need not be there. @throws Error.
+[[nodiscard]] std::vector<FileIdentity> identitiesOf(const FrameFiles& files);
+
 /// What the headers tell of it: no mask pixels yet.
 [[nodiscard]] RunSize sizeOfRun(const Options& options, const Inputs& inputs);
 
@@ -58,7 +65,7 @@ struct Inputs {
                                       const std::function<void()>& beforeFrame);
 
 /// Reads mask `frame` of a sequence and scales it as gray.
-/// @throws Error naming the file, also when its size is no longer the one found at first.
+/// @throws Error naming the file, also when it is no longer the one found at first.
 [[nodiscard]] InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame);
 
 /// Reads and scales picture `frame` of a sequence; sRGB-encoded. @throws Error likewise.

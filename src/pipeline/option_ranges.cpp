@@ -161,6 +161,14 @@ void validate(const Options& options) {
   if (options.continuation.resume && options.continuation.restart) {
     throw UsageError("--resume, --restart: wanted one of them at most");
   }
+  if (const std::optional<FrameNumbers>& part = options.continuation.render) {
+    // Of an animation that is played backwards either end may be named first.
+    if (part->first > part->last && options.target.speed > 0) {
+      throw UsageError("--render-frames " + std::to_string(part->first) + "-" +
+                       std::to_string(part->last) + ": wanted the first frame before the last, " +
+                       std::to_string(part->last) + "-" + std::to_string(part->first));
+    }
+  }
   if (options.continuation.checkpointEvery) {
     check("--checkpoint-every", *options.continuation.checkpointEvery, ranges::kCheckpointFrames);
   }

@@ -56,7 +56,8 @@ void RunJournal::frameWritten(int frame, const Digest& digest,
                               std::shared_ptr<const SynthesisState> state) {
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> seconds = now - std::exchange(lastWritten_, now);
-  frames_[at(frame)] = FrameRecord{digest, seconds.count()};
+  // A clock may be wrong; a state that knows of a negative time would be taken for damaged.
+  frames_[at(frame)] = FrameRecord{digest, std::max(0.0, seconds.count())};
   ++framesSince_;
   if (!state) return;
   latest_ = std::move(state);

@@ -361,6 +361,8 @@ TEST_F(Resume, PartsAreGivenByTheTargetsOwnNumbers) {
         2, "--render-frames " + std::string(bad) + ": wanted two frame numbers, e.g. 10-80",
         complaint(bad)));
   }
+  EXPECT_TRUE(failedWith(2, "--render-frames 5-3: wanted the first frame before the last, 3-5",
+                         complaint("5-3")));
   ToolOptions backwards = everyFrame({{"--target-speed", "-1"}, {"--target-start", "6"}});
   const Painting whole = scene_.painting(backwards);
   scene_.remove("out");
@@ -403,7 +405,8 @@ TEST_F(Resume, TheManifestOfAStoppedRunSaysThatItIsIncomplete) {
   leaveState();
   const ProcessResult result = scene_.paintWithoutDefaults({{"--verify", kManifest}});
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_NE(result.out.find(std::string(kManifest) + ": not all frames of the shot are painted\n"),
+  EXPECT_NE(result.out.find(std::string(kManifest) +
+                            ": not all frames of the shot are painted; it lacks "),
             std::string::npos);
 }
 

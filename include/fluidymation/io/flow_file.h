@@ -3,15 +3,13 @@
 #include <string>
 
 #include "fluidymation/core/image.h"
+#include "fluidymation/io/input_limits.h"
 
 namespace fluidymation {
 
 /// Middlebury .flo: "PIEH", width, height, then (x, y) pairs, rows top to bottom, little endian.
 /// Written atomically. @throws Error naming the file.
 void writeFlow(const std::string& path, const Image<Vec2>& flow);
-
-/// Largest component of a known flow, px per frame; more is a slip or another byte order.
-inline constexpr float kMaxFlowPx = 1e5F;
 
 /// Size claimed by a flow file, told by its first bytes: Middlebury .flo, or a PNG file of 16-bit
 /// RGB as KITTI encodes flow. The vectors are not read.

@@ -8,15 +8,9 @@
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/io/compression_level.h"
+#include "fluidymation/io/input_limits.h"
 
 namespace fluidymation {
-
-/// Limits on what is read from files we do not know; 16384 x 16384 is far beyond film sizes. While
-/// an exemplar frame of the pixel limit is read, RGBA and RGB floats exist side by side: 28 bytes a
-/// pixel, 3.1 GiB (8 more, the rows as stored, when it is interlaced and has 16 bits). Scaling and
-/// the guides come on top.
-inline constexpr int kMaxImageSidePx = 16384;
-inline constexpr std::int64_t kMaxImagePixels = 120'000'000;
 
 struct Rgba {
   float r = 0.0F;
@@ -26,9 +20,10 @@ struct Rgba {
 };
 
 /// Size claimed by the header of a PNG file; the pixels are not read.
-/// @throws Error naming the file when it cannot be opened, is empty, is not a PNG, or claims a size
-///   beyond the limits above or beyond what a file of its length can hold: whoever allocates for
-///   the size returned is safe from small hostile files.
+/// @throws Error naming the file when it cannot be opened, is empty, is not a PNG, is larger than
+///   `kMaxImageFileBytes`, or claims a size beyond `kMaxImageSidePx`, `kMaxImagePixels` or what a
+///   file of its length can hold: whoever allocates for the size returned is safe from small
+///   hostile files.
 [[nodiscard]] Size readPngSize(const std::string& path);
 
 /// Reads any PNG that libpng knows: 1 to 16 bit, gray, palette, RGB, with or without alpha or

@@ -53,10 +53,36 @@ TEST(ManifestTest, KeepsTheOrderAndSaysNothingOfTime) {
             "\"seconds\": 0.123\n  }\n ]\n}\n");
 }
 
-TEST(ManifestTest, TakesNamesThatAreNoUtf8) {
+TEST(ManifestTest, NamesThatAreNoUtf8ComeBackAsTheyWere) {
+  const TemporaryFolder folder;
   Manifest odd = manifest();
-  odd.paths[0].second = "out\xff/%d.png";
-  EXPECT_NE(textOf(encode(odd)).find("out\xEF\xBF\xBD/%d.png"), std::string::npos);
+  odd.paths[0].second = "out\xff/100%%\xc3\xa4 %d.png";
+  odd.frames[0].file = "\xfe-\xff\"\n11.png";
+  const std::string text = textOf(encode(odd));
+  EXPECT_NE(text.find("\"percent-encoded\": \"out%FF/100%25%25%C3%A4%20%25d.png\""),
+            std::string::npos);
+  EXPECT_NE(text.find("\"file\": \"9.png\""), std::string::npos) << "others stay readable";
+  test::writeBytes(folder.file("m.json"), encode(odd));
+  const Manifest back = readManifest(folder.file("m.json"));
+  EXPECT_EQ(back.paths, odd.paths);
+  ASSERT_EQ(back.frames.size(), 2U);
+  EXPECT_EQ(back.frames[0].file, odd.frames[0].file);
+}
+
+TEST(ManifestTest, NothingComesTwice) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("m.json");
+  const auto complaint = [&](const Manifest& forged) {
+    test::writeBytes(path, encode(forged));
+    return messageOf<Error>([&] { (void)readManifest(path); });
+  };
+  Manifest forged = manifest();
+  forged.frames.push_back({11, "12.png", digestOf("z", 1)});
+  EXPECT_EQ(complaint(forged), path + ": tells of frame 11 twice");
+  forged.frames.back() = {12, "11.png", digestOf("z", 1)};
+  EXPECT_EQ(complaint(forged), path + ": tells of the file 11.png twice");
+  forged.frames.back() = {12, "12.png", digestOf("z", 1)};
+  EXPECT_EQ(complaint(forged), "");
 }
 
 TEST(ManifestTest, WhatIsNoneIsRefusedByName) {
@@ -95,6 +121,28 @@ TEST(ManifestTest, WhatIsNoneIsRefusedByName) {
   EXPECT_EQ(complaint(with("\"11.png\"", "\"..\"")), path + ": holds a file name that is none");
   EXPECT_EQ(complaint(with(digestOf("x", 1).text(), "12")), path + ": holds a digest that is none");
   EXPECT_EQ(complaint(with("\"9\": ", "\"nine\": ")), path + ": holds a frame number that is none");
+  for (const char* number : {"09", "-0", "+9", " 9", ""}) {
+    EXPECT_EQ(complaint(with("\"9\": ", "\"" + std::string(number) + "\": ")),
+              path + ": holds a frame number that is none");
+  }
+  // What has no members is not the same as what has none of them.
+  const std::string inputs =
+      good.substr(good.find(" \"inputs\": ") + 11,
+                  good.find(" \"frames\": ") - good.find(" \"inputs\": ") - 11);
+  const std::string options = good.substr(good.find("{\n  \"--seed\""), 40);
+  for (const char* nothing : {"null", "[]", "7", "\"\""}) {
+    EXPECT_EQ(complaint(with(inputs, std::string(nothing) + ",\n")), damaged) << nothing;
+    EXPECT_EQ(complaint(with(options.substr(0, options.find('}') + 1), nothing)), damaged);
+  }
+  EXPECT_EQ(complaint(with("\"frames\": [", "\"frames\": null, \"more\": [")), damaged);
+  EXPECT_EQ(complaint(with("\"11.png\"", R"({"percent-encoded": "../1"})")),
+            path + ": holds a file name that is none");
+  for (const char* bad : {"%", "%4", "%G0", "a%ff", "a b", "%41"}) {
+    EXPECT_EQ(complaint(with("\"11.png\"", R"({"percent-encoded": ")" + std::string(bad) + "\"}")),
+              path + ": holds a text that is badly encoded")
+        << bad;
+  }
+  EXPECT_EQ(complaint(with("\"11.png\"", R"({"percent": "1"})")), damaged);
   for (std::size_t length = 1; length + 2 < good.size(); ++length) {
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
   }

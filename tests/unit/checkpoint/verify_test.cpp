@@ -58,6 +58,33 @@ TEST_F(VerifyTest, EachKindOfDamageIsNamed) {
                              folder_.file("m.json") + ": not all frames of the shot are painted"}));
 }
 
+TEST_F(VerifyTest, FramesThatAreStillToBePaintedAreNamed) {
+  InputDigests target{"--target-path", {}};
+  for (const int number : {-2, -1, 1, 2, 3, 5, 8, 9, 10}) target.files.push_back({number, {}});
+  manifest_.fingerprint.inputs = {target};
+  const std::string partial = folder_.file("m.json") + ": not all frames of the shot are painted";
+  for (const bool claimed : {false, true}) {
+    manifest_.complete = claimed;
+    EXPECT_EQ(faults(), Lines{partial + "; it lacks -2 to -1, 5-10"});
+  }
+  manifest_.fingerprint.inputs[0].files.clear();
+  for (int number = 1; number <= 3; ++number) {
+    manifest_.fingerprint.inputs[0].files.push_back({number, {}});
+  }
+  EXPECT_EQ(faults(), Lines{});
+  for (int number = 5; number < 205; number += 2) {
+    manifest_.fingerprint.inputs[0].files.push_back({number, {}});
+    manifest_.fingerprint.inputs[0].files.push_back({number + 1, {}});
+    manifest_.frames.push_back({number, "f" + std::to_string(number) + ".png", {}});
+    test::writeBytes(frame(number), {1});
+  }
+  const Lines many = faults();
+  ASSERT_FALSE(many.empty());
+  EXPECT_NE(many.back().find("; it lacks 6, 8, 10"), std::string::npos) << many.back();
+  EXPECT_NE(many.back().find(" more"), std::string::npos) << many.back();
+  EXPECT_LT(many.back().size(), partial.size() + 200);
+}
+
 TEST_F(VerifyTest, AFolderInAFramesPlaceIsAFault) {
   std::filesystem::remove(frame(3));
   std::filesystem::create_directory(frame(3));

@@ -103,6 +103,15 @@ TEST_F(GivenFlowTest, BackwardFilesPlayedBackwardsAreThoseOfTheFrameBeforeNegate
   EXPECT_EQ(flowsOf(open(kBackward, 4, -1, 4)).kept, (Values{-4, -4, -3, -2}));
 }
 
+TEST_F(GivenFlowTest, AFileThatChangedSinceItWasFoundIsNotUsed) {
+  const FlowSequence sequence = open(kBackward, 1, 1, 4);
+  writeFlow(file(3), Image<Vec2>(kSize, Vec2{7.0F, 7.0F}));
+  EXPECT_EQ(test::messageOf<Error>([&] {
+              (void)flowsOf(sequence);
+            }).find(file(3) + ": changed while the run was at work"),
+            0U);
+}
+
 TEST_F(GivenFlowTest, ScalesVectorsWithTheFrames) {
   EXPECT_EQ(flowsOf(open(kBackward, 1, 1, 4, 0.5)).kept, (Values{0.5F, 1, 1.5F, 2}));
   EXPECT_EQ(flowsOf(open(kBackward, 4, -1, 4, 2.0)).kept, (Values{-8, -8, -6, -4}));
