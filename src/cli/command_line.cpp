@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_syntax.h"
 #include "cli/option_table.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -150,15 +151,12 @@ void requireOptions(const std::vector<Spec>& table, const CLI::App& app) {
   return failure == std::errc{} && complete && ranges::kThreads.contains(value) ? value : 0;
 }
 
-/// What the program is and how it is called, then all options of `table`.
-void describe(CLI::App& app, const std::vector<Spec>& table) {
+/// What the command is and how it is called, then its options.
+void describe(CLI::App& app, const CommandSyntax& syntax) {
   constexpr std::size_t kHelpColumn = 36;
-  app.description(
-      "Paints an animation of masks with a filmed medium (\"Stylizing vector animation\").\n"
-      "Distances are pixels of the scaled input. PATTERN is a path with one frame number, as\n"
-      "printf writes it: frames/%05d.png.");
+  app.description(syntax.description);
   app.get_formatter()->column_width(kHelpColumn);
-  for (const Spec& spec : table) {
+  for (const Spec& spec : syntax.table) {
     CLI::Option* option = spec.valueName.empty()
                               ? app.add_flag(spec.name, spec.help)
                               : app.add_option(spec.name, CLI::callback_t{}, spec.help);
@@ -190,10 +188,10 @@ int defaultThreads(const char* ompNumThreads, const char* slurmCpusPerTask, int 
                     static_cast<int>(ranges::kThreads.high));
 }
 
-CommandLine parseCommandLine(int argc, const char* const* argv) {
-  const std::vector<Spec> table = optionTable();
-  CLI::App app("", "fluidymation");
-  describe(app, table);
+CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* const* argv) {
+  const std::vector<Spec>& table = syntax.table;
+  CLI::App app("", syntax.name);
+  describe(app, syntax);
   CommandLine line;
   std::set<std::string> assigned;
   try {

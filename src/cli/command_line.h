@@ -19,11 +19,14 @@ struct CommandLine {
   std::optional<std::string> information;  ///< help or version: print it and do nothing else
 };
 
-/// Reads the arguments of `main` (argv[0] is the program). Every option appears at most once, as
+struct CommandSyntax;
+
+/// Reads the arguments of a command (argv[0] is its name). Every option appears at most once, as
 /// "--option value" or "--option=value"; only with '=' may a value begin with "--". Flags take no
 /// value.
 /// @throws UsageError with one line that names the option, what was found and what is wanted.
-[[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);
+[[nodiscard]] CommandLine parseCommandLine(const CommandSyntax& syntax, int argc,
+                                           const char* const* argv);
 
 /// Threads when --threads is not given: OMP_NUM_THREADS (its first number), else
 /// SLURM_CPUS_PER_TASK, else `processors`. A variable that is missing (null) or no number in

@@ -7,9 +7,11 @@
 #include <string>
 
 #include "cli/command_line.h"
+#include "cli/painter_syntax.h"
 #include "cli/progress.h"
 #include "cli/progress_lines.h"
 #include "cli/resume_command.h"
+#include "cli/subcommand.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/verify.h"
@@ -75,22 +77,24 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
     streams.out << oneLine(manifest) + ": " + std::to_string(found.frames) +
                        (found.frames == 1 ? " frame is" : " frames are") + " as painted\n";
   }
-  streams.out << std::flush;
-  if (!streams.out.good()) throw Error("standard output cannot be written");
+  requireWritten(streams);
   return found.faults.empty() ? kDone : kFailed;
 }
 
 [[nodiscard]] ExitCode parseAndPaint(int argc, const char* const* argv, const Streams& streams,
                                      const Engine& engine, const StopSignal& stopSignal) {
-  const CommandLine line = parseCommandLine(argc, argv);
+  if (const Subcommand* const command = chosenSubcommand(argc, argv)) {
+    return command->run(argc - 1, argv + 1, streams, stopSignal);
+  }
+  const CommandLine line = parseCommandLine(painterSyntax(), argc, argv);
   if (line.manifest) return verifyFrames(*line.manifest, streams, stopSignal);
   if (!line.information) {
     paint(line, streams, engine, stopSignal);
     return kDone;
   }
-  streams.out << *line.information << std::flush;
-  if (streams.out.good()) return kDone;
-  throw Error("standard output cannot be written");
+  streams.out << *line.information;
+  requireWritten(streams);
+  return kDone;
 }
 
 }  // namespace

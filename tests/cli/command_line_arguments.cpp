@@ -1,5 +1,6 @@
 #include "cli/command_line_arguments.h"
 
+#include "cli/painter_syntax.h"
 #include "fluidymation/core/error.h"
 #include "support/temporary_folder.h"
 
@@ -11,7 +12,7 @@ const Arguments kRequired = {"--src-path",    "s/%d.png", "--src-mask-path", "m/
 CommandLine parse(const Arguments& arguments) {
   std::vector<const char*> argv = {"fluidymation"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return parseCommandLine(static_cast<int>(argv.size()), argv.data());
+  return parseCommandLine(painterSyntax(), static_cast<int>(argv.size()), argv.data());
 }
 
 Arguments complete(const Arguments& more) {

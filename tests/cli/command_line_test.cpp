@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/command_line_arguments.h"
+#include "cli/painter_syntax.h"
 #include "fluidymation/core/error.h"
 #include "support/environment.h"
 #include "support/temporary_folder.h"
@@ -325,7 +326,8 @@ TEST(CommandLine, ThreadsFollowTheEnvironmentUnlessGiven) {
 }
 
 TEST(CommandLine, NoArgumentsAtAllIsWrongUsage) {
-  EXPECT_NE(test::messageOf<UsageError>([] { (void)parseCommandLine(0, nullptr); }), "");
+  EXPECT_NE(
+      test::messageOf<UsageError>([] { (void)parseCommandLine(painterSyntax(), 0, nullptr); }), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/subcommand.h"
 #include "fluidymation/core/error.h"
 
 namespace fluidymation::cli {
@@ -155,6 +156,37 @@ TEST(Tool, HelpAndVersionGoToStdout) {
     EXPECT_NE(outcome.out, "");
     EXPECT_EQ(outcome.err, "");
   }
+}
+
+/// What the tool says to these words alone.
+Outcome answerTo(std::vector<const char*> words) {
+  words.insert(words.begin(), "fluidymation");
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = runTool(static_cast<int>(words.size()), words.data(), {out, err}, {});
+  return {code, out.str(), err.str()};
+}
+
+TEST(Tool, EveryCommandHasHelpAndIsInTheHelpOfTheTool) {
+  const std::string help = answerTo({"--help"}).out;
+  for (const Subcommand& command : subcommands()) {
+    EXPECT_NE(help.find("  fluidymation " + command.name + "  " + command.summary),
+              std::string::npos);
+    const Outcome own = answerTo({command.name.c_str(), "--help"});
+    EXPECT_EQ(own.code, kDone);
+    EXPECT_EQ(own.err, "");
+    EXPECT_NE(own.out.find("Usage: fluidymation " + command.name + " [OPTIONS]"), std::string::npos)
+        << own.out;
+  }
+}
+
+TEST(Tool, AWordThatIsNoCommandIsRefused) {
+  const Outcome outcome = answerTo({"inspekt", "--help"});
+  EXPECT_EQ(outcome.code, kWrongUsage);
+  EXPECT_EQ(outcome.err.find("fluidymation: error: command inspekt: there is no such command; "
+                             "wanted inspect"),
+            0U)
+      << outcome.err;
 }
 
 TEST(Tool, SaysWhenStdoutIsFull) {

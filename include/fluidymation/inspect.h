@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fluidymation/options.h"
+#include "fluidymation/pipeline.h"
+
+namespace fluidymation {
+
+/// What `inspect` has found.
+struct Inspection {
+  /// One line for each fault that keeps the run from being painted, naming file or option.
+  std::vector<std::string> faults;
+  std::vector<std::string> notes;   ///< what painting would remark, too
+  std::vector<std::string> report;  ///< lines for people; as far as the faults let it be known
+};
+
+/// Looks at everything that a run with these options would read, and paints nothing.
+/// @param options  as for `stylize`; `outPath` may be empty, and is checked where it is not.
+/// @param observer  `cancelled` is asked before each file.
+/// @throws UsageError for options that `validate` refuses; Interrupted.
+[[nodiscard]] Inspection inspect(const Options& options, const Observer& observer);
+
+}  // namespace fluidymation
