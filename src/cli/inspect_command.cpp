@@ -1,6 +1,7 @@
 #include "cli/inspect_command.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "cli/command_syntax.h"
 #include "cli/option_table.h"
 #include "cli/values.h"
+#include "fluidymation/core/error.h"
 #include "fluidymation/inspect.h"
 
 namespace fluidymation::cli {
@@ -15,7 +17,8 @@ namespace {
 
 /// The painter's options. Those that say what is read are in the help text; the others are taken so
 /// that the word `inspect` can be put into any command that paints.
-[[nodiscard]] CommandSyntax inspectSyntax() {
+/// @param guidesFolder  is set by --guides.
+[[nodiscard]] CommandSyntax inspectSyntax(std::optional<std::string>& guidesFolder) {
   std::vector<Spec> table = optionTable();
   table.erase(std::remove_if(table.begin(), table.end(),
                              [](const Spec& spec) { return spec.name == "--verify"; }),
@@ -28,6 +31,17 @@ namespace {
       spec.group.clear();
     }
   }
+  table.push_back({"--guides", "Inspection", "DIR",
+                   "write pictures of some frames' guides to DIR/exemplar and\n"
+                   "DIR/animation: flow (hue is direction), how far the material\n"
+                   "has come and has to go, distance to the edge, segments\n"
+                   "(default off)",
+                   false, [&guidesFolder](CommandLine&, const std::string& value) {
+                     if (value.empty()) {
+                       throw UsageError(shown("--guides", value) + ": wanted a folder's name");
+                     }
+                     guidesFolder = value;
+                   }});
   return {"fluidymation inspect",
           "Looks at all that a run would read, and paints nothing: what is wrong with the files,\n"
           "and what to expect. Takes all options of painting besides (see fluidymation --help):\n"
@@ -41,7 +55,8 @@ namespace {
 
 ExitCode inspectCommand(int argc, const char* const* argv, const Streams& streams,
                         const StopSignal& stopSignal) {
-  const CommandLine line = parseCommandLine(inspectSyntax(), argc, argv);
+  std::optional<std::string> guidesFolder;
+  const CommandLine line = parseCommandLine(inspectSyntax(guidesFolder), argc, argv);
   if (line.information) {
     streams.out << *line.information;
     requireWritten(streams);
@@ -49,7 +64,7 @@ ExitCode inspectCommand(int argc, const char* const* argv, const Streams& stream
   }
   Observer observer;
   observer.cancelled = [&] { return stopSignal && stopSignal() != 0; };
-  const Inspection found = inspect(line.options, observer);
+  const Inspection found = inspect(line.options, guidesFolder, observer);
   for (const std::string& note : found.notes) {
     if (!line.quiet) streams.err << "fluidymation: note: " + oneLine(note) + "\n";
   }

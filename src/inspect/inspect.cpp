@@ -1,31 +1,145 @@
 #include "fluidymation/inspect.h"
 
+#include <filesystem>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/index.h"
+#include "fluidymation/guides/guide_stream.h"
+#include "fluidymation/io/atomic_file.h"
 #include "fluidymation/option_ranges.h"
+#include "inspect/guide_pictures.h"
 #include "inspect/input_check.h"
+#include "inspect/report.h"
+#include "inspect/rim_profile.h"
+#include "pipeline/automatic_widths.h"
+#include "pipeline/memory.h"
+#include "pipeline/protected_files.h"
+#include "pipeline/sequence_guides.h"
+#include "pipeline/thread_count.h"
 
 namespace fluidymation {
+namespace {
 
-Inspection inspect(const Options& options, const Observer& observer) {
-  Options valid = options;
-  if (valid.outPath.empty()) valid.outPath = "%d.png";  // no frame is written, any name will do
-  validate(valid);
+/// What is made of a sequence while its guides pass by.
+struct SequenceStudy {
+  SequenceFigures figures;
+  GuidePictures pictures;
+  ShapeTally kept;
+  bool drawsLines = false;
+};
 
-  int files = 0;
-  const auto stopIfWanted = [&] {
-    if (observer.cancelled && observer.cancelled()) {
-      throw Interrupted("interrupted; " + std::to_string(files) + " files looked at");
-    }
-    ++files;
+/// How a sequence is studied.
+struct SequenceSetup {
+  const InputSequence& masks;
+  const std::optional<FlowSequence>& flow;
+  MaskChannel channel;
+  GuideOptions guides;
+  bool withPictures = false;
+};
+
+/// @param onFrame  called with the guides of each frame.
+SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
+                    const std::function<void()>& stopIfWanted,
+                    const std::function<void(int frame, const GuideFrame& guides)>& onFrame) {
+  const int count = setup.masks.files.count();
+  SequenceStudy result{{}, GuidePictures(count), {}, false};
+  std::vector<double> areas;
+  const MaskReader readAndNote = [&](int frame) {
+    stopIfWanted();
+    InputMask mask = readMask(setup.masks, setup.channel, frame);
+    areas.push_back(std::accumulate(mask.coverage.begin(), mask.coverage.end(), 0.0));
+    result.figures.soft = result.figures.soft || mask.soft;
+    return mask;
   };
-  Inspection found;
+  GuideStream stream(
+      count, readAndNote, setup.guides, flowReader(setup.flow, stopIfWanted),
+      [&](const ShapeTally& tally) { result.kept = tally; }, stopIfWanted);
+  result.drawsLines = stream.drawsLines();
+  Mask previous;
+  for (int i = 0; i < count; ++i) {
+    stopIfWanted();
+    GuideFrame frame = stream.next();
+    ShapeFigures figures = measureShape(frame, i > 0 ? &previous : nullptr, borderWidthPx);
+    figures.number = setup.masks.files.numbers[at(i)];
+    figures.storedAreaPx = areas[at(i)];
+    result.figures.frames.push_back(figures);
+    if (setup.withPictures && result.pictures.shows(i)) {
+      result.pictures.keep(figures.number, frame);
+    }
+    onFrame(i, frame);
+    previous = std::move(frame.mask);
+  }
+  return result;
+}
+
+/// @throws UsageError where a picture would replace an input.
+void writePictures(const Options& options, const std::string& folder, const std::string& name,
+                   const GuidePictures& pictures, Inspection& found) {
+  const std::string place = (std::filesystem::path(folder) / name).string();
+  const ProtectedFiles inputs(options);
+  for (const std::string& path : pictures.paths(place)) {
+    if (!inputs.contains(path)) continue;
+    throw UsageError("--guides " + folder + ": " + path +
+                     " is an input and would be overwritten; choose another folder");
+  }
+  createFolder(place);
+  const std::string scale = pictures.write(place, *options.borderWidthPx);
+  found.report.push_back("pictures in " + place + ": " + scale);
+}
+
+}  // namespace
+
+Inspection inspect(const Options& given, const std::optional<std::string>& guidesFolder,
+                   const Observer& observer) {
+  Options options = given;
+  if (options.outPath.empty()) options.outPath = "%d.png";  // none is written, any name will do
+  validate(options);
+  options.outPath = given.outPath;
+  const ThreadCount threads(options.threads);
+  const auto stopIfWanted = [&] {
+    if (observer.cancelled && observer.cancelled()) throw Interrupted("interrupted");
+  };
+
   CheckedInputs checked = checkInputs(options, stopIfWanted);
-  found.faults = std::move(checked.faults);
-  found.notes = std::move(checked.notes);
-  if (found.faults.empty()) {
-    found.report.push_back("files: all " + std::to_string(checked.filesRead) + " can be read");
+  Inspection found{std::move(checked.faults), std::move(checked.notes), {}};
+  if (!checked.inputs) return found;
+  const Inputs& inputs = *checked.inputs;
+  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopIfWanted);
+  const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
+  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
+
+  RimProfile rim;
+  const bool withPictures = guidesFolder.has_value();
+  SequenceStudy exemplar =
+      study({inputs.sourceMask, inputs.sourceFlow, sourceChannel,
+             guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals), withPictures},
+            *options.borderWidthPx, stopIfWanted, [&](int frame, const GuideFrame& guides) {
+              rim.add(guides, toLab(readPicture(inputs.color, frame)));
+            });
+  SequenceStudy target =
+      study({inputs.target, inputs.targetFlow, targetChannel,
+             guideOptions(options, *options.targetBlurSigmaPx, options.motionModel), withPictures},
+            *options.borderWidthPx, stopIfWanted, [](int, const GuideFrame&) {});
+
+  ReportFacts facts;
+  facts.filesRead = checked.filesRead;
+  facts.chosenWidths = chosenWidths(given, options);
+  facts.mostBytes = bytesOfRun(sizeOfRun(options, inputs)) + bytesKept(target.kept);
+  facts.time = estimateTime(target.figures.insidePx(), inputs.color.files.count(),
+                            options.synthesis, options.threads);
+  facts.threads = options.threads;
+  facts.drawsLines = target.drawsLines && options.newMaterial == NewMaterial::kAutomatic;
+  const KnownRun run{std::move(exemplar.figures), std::move(target.figures),
+                     *options.borderWidthPx,      rim.rimWidthPx(*options.borderWidthPx),
+                     *options.blurSigmaPx,        *options.targetBlurSigmaPx,
+                     options.source.speed};
+  found.report = reportLines(inputs, run, facts);
+  if (withPictures) {
+    writePictures(options, *guidesFolder, "exemplar", exemplar.pictures, found);
+    writePictures(options, *guidesFolder, "animation", target.pictures, found);
   }
   return found;
 }

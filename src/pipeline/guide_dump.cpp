@@ -1,9 +1,7 @@
 #include "pipeline/guide_dump.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include "fluidymation/core/color.h"
@@ -13,6 +11,7 @@
 #include "fluidymation/io/pfm.h"
 #include "fluidymation/io/png.h"
 #include "pipeline/dump_name.h"
+#include "pipeline/flow_color.h"
 
 namespace fluidymation {
 namespace {
@@ -49,26 +48,14 @@ Image<std::uint8_t> normalizedPicture(const Image<float>& image) {
   return picture;
 }
 
-/// Fully saturated colour; hue and its channels go once round the circle: 0 red, 1/3 green,
-/// 2/3 blue.
-Rgba8 hueColor(float hue, float intensity) {
-  const auto channel = [&](float phase) {
-    const float turn = hue + phase - std::floor(hue + phase);
-    return toByte(intensity * std::clamp(std::abs(6.0F * turn - 3.0F) - 1.0F, 0.0F, 1.0F));
-  };
-  return {channel(0.0F), channel(2.0F / 3.0F), channel(1.0F / 3.0F), 255};
-}
-
-/// Angle as hue (right is red, down is yellow-green, left is cyan, up is violet), magnitude as
-/// intensity, relative to the frame's fastest pixel (thesis figure 3.3b).
+/// `flowColor`, relative to the frame's fastest pixel.
 Image<Rgba8> flowPicture(const Image<Vec2>& flow) {
   const Image<float> speed = lengths(flow);
   const float scale = normalization(speed);
   Image<Rgba8> picture(flow.size());
   forEachRow(flow.height(), [&](int y) {
     for (int x = 0; x < flow.width(); ++x) {
-      const Vec2 v = flow(x, y);
-      picture(x, y) = hueColor(std::atan2(v.y, v.x) / kTwoPi, scale * speed(x, y));
+      picture(x, y) = flowColor(flow(x, y), scale);
     }
   });
   return picture;

@@ -35,6 +35,7 @@
 #include "pipeline/outputs.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
+#include "pipeline/sequence_guides.h"
 #include "pipeline/starting_point.h"
 #include "pipeline/stopping.h"
 #include "pipeline/thread_count.h"
@@ -71,32 +72,6 @@ void tellOfEmptyTarget(const Observer& observer, const Options& options,
                 "--target-blur-sigma (now " +
                 numberText(*options.targetBlurSigmaPx) + ") and --mask-threshold (now " +
                 numberText(options.maskThreshold) + "; one half where nothing is smoothed)");
-}
-
-/// How the guides of a sequence are made whose masks are smoothed by this sigma and which moves by
-/// this model.
-GuideOptions guideOptions(const Options& options, float blurSigmaPx, MotionModel motionModel) {
-  GuideOptions guides;
-  guides.mask = {blurSigmaPx, options.maskThreshold};
-  guides.timeBlurSigmaFrames = options.timeBlurSigmaFrames;
-  guides.flowBlurSigmaFrames = options.flowBlurSigmaFrames;
-  guides.motionModel = motionModel;
-  if (options.synthesis.shape.guide == ShapeGuide::kBlurredMask) {
-    guides.shapeBlurRadiusPx = *options.borderWidthPx;
-  }
-  return guides;
-}
-
-/// Reads the given flow; empty where there is none.
-/// @param flow        must outlive the reader.
-/// @param beforeEach  called before each frame.
-FlowReader flowReader(const std::optional<FlowSequence>& flow,
-                      const std::function<void()>& beforeEach) {
-  if (!flow) return {};
-  return [beforeEach, given = std::make_shared<GivenFlow>(*flow)](int frame, const Mask& previous) {
-    beforeEach();
-    return given->flow(frame, previous);
-  };
 }
 
 /// Whether ages take the place of motion extents. Tells the user when that was found.

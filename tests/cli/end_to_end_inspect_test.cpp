@@ -32,6 +32,37 @@ TEST(EndToEndInspect, ReadsAllFilesAndWritesNone) {
   EXPECT_FALSE(std::filesystem::exists(scene.file("dump")));
 }
 
+TEST(EndToEndInspect, TellsSizesAndWritesPictures) {
+  const SmallScene scene;
+  const ProcessResult result = inspected(scene, {{"--guides", "guides"}});
+  EXPECT_EQ(result.exitCode, 0);
+  for (const char* part :
+       {"exemplar: 24x20, 4 frames (1 to 4), masks black and white\n",
+        "animation: 28x22, 4 frames (1 to 4), masks black and white\n", "memory: at most ",
+        "time: ", "pictures in guides/exemplar: full intensity is "}) {
+    EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
+  }
+  for (const char* folder : {"guides/exemplar", "guides/animation"}) {
+    EXPECT_EQ(scene.names(folder).size(), 4U * 5U) << folder;
+  }
+}
+
+TEST(EndToEndInspect, PicturesReplaceNoInput) {
+  const SmallScene scene;
+  std::filesystem::create_directory(scene.file("guides"));
+  for (int number = 1; number <= 4; ++number) {
+    const std::string name = std::to_string(number) + ".flow.png";
+    scene.write("mask/0000" + name, scene.read(SmallScene::frame("mask", number)));
+  }
+  std::filesystem::rename(scene.file("mask"), scene.file("guides/exemplar"));
+  const ToolOptions options = {{"--guides", "guides"},
+                               {"--src-mask-path", "guides/exemplar/%05d.flow.png"}};
+  EXPECT_TRUE(failedWith(2,
+                         "--guides guides: guides/exemplar/00001.flow.png is an input and would be "
+                         "overwritten; choose another folder",
+                         inspected(scene, quietly(options))));
+}
+
 TEST(EndToEndInspect, ListsAllFaultsWherePaintingNamesTheFirst) {
   const SmallScene scene;
   scene.write("src/00002.png", {});
