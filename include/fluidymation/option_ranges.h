@@ -50,6 +50,7 @@ inline constexpr Range kOptIterations{0, 1000};
 inline constexpr Range kCompressionLevels{kLeastCompression, kMostCompression};
 inline constexpr Range kThreads{1, 1024};
 inline constexpr Range kCheckpointFrames{1, 1e6};
+inline constexpr Range kPreviewFrames{1, 1e6};
 
 /// Bytes of memory that a run may need: the program alone takes some 16 MiB.
 inline constexpr std::int64_t kLeastMemoryBytes = std::int64_t{16} << 20;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fluidymation/options.h"
+#include "fluidymation/preview.h"
 
 namespace fluidymation::cli {
 
@@ -14,6 +15,7 @@ enum class ProgressFormat { kHuman, kJson, kOpenJobDescription };
 struct CommandLine {
   Options options;
   ProgressFormat progress = ProgressFormat::kHuman;
+  PreviewOptions preview;
   bool quiet = false;
   std::optional<std::string> manifest;     ///< check the frames against it and do nothing else
   std::optional<std::string> information;  ///< help or version: print it and do nothing else

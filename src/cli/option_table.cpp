@@ -285,6 +285,7 @@ std::vector<Spec> optionTable() {
   addGuides(table);
   addSynthesis(table);
   addGoingOn(table);
+  addPreview(table);
   addRunning(table);
   return table.take();
 }

@@ -73,6 +73,11 @@ void Progress::allDone() {
   finishLine();
 }
 
+void Progress::previewWritten(const std::string& path) {
+  if (style_ == Style::kQuiet) return;
+  out_ << "preview: " + oneLine(path) + "\n" << std::flush;
+}
+
 void Progress::finishLine() {
   if (!line_.empty()) out_ << "\n" << std::flush;
   line_.clear();

@@ -24,6 +24,9 @@ class Progress {
   /// On a terminal the line's last words: how many frames, how long, which files.
   void allDone();
 
+  /// Where the preview is, after `allDone`.
+  void previewWritten(const std::string& path);
+
   /// Ends the line being rewritten; call before anything else is printed there.
   void finishLine();
 

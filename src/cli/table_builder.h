@@ -172,5 +172,6 @@ class Table {
 // Groups that have a file of their own.
 void addFiles(Table& table);
 void addGoingOn(Table& table);
+void addPreview(Table& table);
 
 }  // namespace fluidymation::cli

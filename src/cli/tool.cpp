@@ -3,6 +3,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "cli/subcommand.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/preview.h"
 #include "fluidymation/verify.h"
 
 namespace fluidymation::cli {
@@ -37,6 +39,18 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
       streams.errIsTerminal && !lines ? Progress::Style::kTerminal : Progress::Style::kPlain;
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
+  requirePreviewFile(line.preview);
+  std::optional<Preview> preview;
+  if (!line.preview.path.empty()) preview.emplace(line.options, line.preview);
+  bool refreshes = preview.has_value();
+  const auto refresh = [&](int frame) {
+    try {
+      preview->frameWritten(frame);
+    } catch (const Error& error) {  // the painting is worth more
+      progress.note(std::string(error.what()) + "; the preview waits for the end");
+      refreshes = false;
+    }
+  };
   const Observer observer{[&](const std::string& text) { progress.note(text); },
                           [&](const FrameReport& report) {
                             if (lines) {
@@ -44,6 +58,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                             } else {
                               progress.frameDone(report);
                             }
+                            if (refreshes) refresh(report.index);
                           },
                           [&] { return stopSignal && stopSignal() != 0; },
                           [&](int frame, int frameCount) {
@@ -63,6 +78,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
     throw;
   }
   progress.allDone();
+  if (preview && preview->finish() > 0) progress.previewWritten(line.preview.path);
 }
 
 /// Says in which frames the disk differs from the manifest. @return  kFailed where it does.

@@ -117,6 +117,8 @@ class TemporaryFile {
     if (std::fwrite(data, 1, byteCount, file_) != byteCount) failToWrite(path_, errno);
   }
 
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
+
   /// A full disk may show only when the buffers are emptied, so each step is checked.
   void publish() {
     if (std::fflush(file_) != 0) failToWrite(path_, errno);
@@ -160,6 +162,14 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
 
 void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& file) {
   writeAtomically(path, [&file](const ByteSink& sink) { sink(file.data(), file.size()); });
+}
+
+void replaceAtomically(const std::string& path,
+                       const std::function<void(const std::string& temporary)>& write) {
+  checkReplaceable(path);
+  TemporaryFile file(path);
+  write(file.temporary());
+  file.publish();
 }
 
 std::optional<std::string> temporaryFileOf(const std::string& name) {

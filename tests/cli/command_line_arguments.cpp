@@ -93,6 +93,9 @@ const std::vector<Reaching>& reachingOptions() {
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
       {"--checkpoint-every", "5", [](C c) { return c.options.continuation.checkpointEvery == 5; }},
+      {"--preview", "p.png", [](C c) { return c.preview.path == "p.png"; }},
+      {"--preview-background", "white", [](C c) { return c.preview.background == "white"; }},
+      {"--preview-every", "5", [](C c) { return c.preview.every == 5; }},
       {"--render-frames", "-3--1",
        [](C c) {
          const auto& render = c.options.continuation.render;

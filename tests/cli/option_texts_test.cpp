@@ -54,9 +54,10 @@ TEST(OptionTexts, NameThePresetWhoseRulesApply) {
 
 /// Options that change no byte of a frame, and those that stand for several others.
 const std::set<std::string> kNotShaping = {
-    "--dump-guides", "--resume", "--restart",       "--checkpoint-every",
-    "--keep-states", "--verify", "--render-frames", "--threads",
-    "--progress",    "--quiet",  "--max-memory"};
+    "--dump-guides",   "--resume",        "--restart", "--checkpoint-every",
+    "--keep-states",   "--verify",        "--preview", "--preview-background",
+    "--preview-every", "--render-frames", "--threads", "--progress",
+    "--quiet",         "--max-memory"};
 
 TEST(OptionTexts, AnswerToEveryOptionThatShapesThePicture) {
   for (const Reaching& o : reachingOptions()) {

@@ -24,6 +24,11 @@ void writeAtomically(const std::string& path, const std::function<void(const Byt
 /// The same for a file that is in memory already.
 void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& file);
 
+/// The same where another program writes: `write` gets the name of the temporary file, which exists
+/// and is empty, and has it filled.
+void replaceAtomically(const std::string& path,
+                       const std::function<void(const std::string& temporary)>& write);
+
 /// The file that a temporary one of `writeAtomically` would have become: "a.png" for
 /// ".a.png.tmp.LETTERS"; nothing for any other name. Both are names without a folder. Of names that
 /// are longer than 200 bytes only these 200.
