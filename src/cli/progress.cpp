@@ -34,7 +34,15 @@ std::string clockText(double seconds) {
 void Progress::readingBegins() { rewrite("reading the masks and the exemplar ..."); }
 
 void Progress::paintingBegins(int frame, int frameCount) {
-  rewrite("frame " + std::to_string(frame + 1) + " of " + std::to_string(frameCount) + " ...");
+  const std::string count = std::to_string(frameCount);
+  if (style_ == Style::kPlain) {
+    out_ << (frame == 0 ? "painting " + count + (frameCount == 1 ? " frame" : " frames")
+                        : "painting frames " + std::to_string(frame + 1) + " to " + count + " of " +
+                              count) +
+                " ...\n"
+         << std::flush;
+  }
+  rewrite("frame " + std::to_string(frame + 1) + " of " + count + " ...");
 }
 
 void Progress::note(const std::string& text) {
@@ -65,12 +73,21 @@ void Progress::frameDone(const FrameReport& report) {
 }
 
 void Progress::allDone() {
-  if (framesDone_ == 1) rewrite("1 frame in " + clockText(totalSeconds_) + ": " + firstPath_);
+  std::string words;
+  if (framesDone_ == 1) words = "1 frame in " + clockText(totalSeconds_) + ": " + firstPath_;
   if (framesDone_ > 1) {
-    rewrite(std::to_string(framesDone_) + " frames in " + clockText(totalSeconds_) + ": " +
-            firstPath_ + " to " + lastPath_);
+    words = std::to_string(framesDone_) + " frames in " + clockText(totalSeconds_) + ": " +
+            firstPath_ + " to " + lastPath_;
   }
+  if (!words.empty()) rewrite(words);
   finishLine();
+  if (!words.empty() && style_ == Style::kPlain) out_ << oneLine(words) + "\n" << std::flush;
+}
+
+void Progress::tellOfPreview() {
+  if (style_ == Style::kQuiet || framesDone_ == 0) return;
+  out_ << "to look at them: fluidymation preview, the same options, and --preview FILE.apng\n"
+       << std::flush;
 }
 
 void Progress::previewWritten(const std::string& path) {

@@ -21,8 +21,11 @@ class Progress {
   void note(const std::string& text);
   void frameDone(const FrameReport& report);
 
-  /// On a terminal the line's last words: how many frames, how long, which files.
+  /// The last words: how many frames, how long, which files.
   void allDone();
+
+  /// How to see the frames, after `allDone`, where there is no preview.
+  void tellOfPreview();
 
   /// Where the preview is, after `allDone`.
   void previewWritten(const std::string& path);

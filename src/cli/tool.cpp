@@ -78,6 +78,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
     throw;
   }
   progress.allDone();
+  if (!preview) progress.tellOfPreview();
   if (preview && preview->finish() > 0) progress.previewWritten(line.preview.path);
 }
 

@@ -37,9 +37,11 @@ TEST(Progress, AFileGetsOnePlainLinePerFrame) {
   progress.frameDone(report(1, 0.256));
   progress.allDone();
   EXPECT_EQ(out.str(),
+            "painting 80 frames ...\n"
             "frame 1 of 80  1.00 s  out/101.png\n"
             "fluidymation: note: something?odd\n"
-            "frame 2 of 80  0.26 s  out/102.png\n");
+            "frame 2 of 80  0.26 s  out/102.png\n"
+            "2 frames in 00:01: out/101.png to out/102.png\n");
 }
 
 TEST(Progress, ATerminalIsToldInTheEndWhereTheFramesAre) {
@@ -83,6 +85,27 @@ TEST(Progress, CountsTheFramesOfThisRunWhereOthersWerePaintedBefore) {
             "\rframe 71 of 80  2.00 s/frame  00:18 left\x1b[K");
 }
 
+TEST(Progress, AFileIsToldWhichFramesAreStillToBePainted) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kPlain);
+  progress.paintingBegins(70, 80);
+  EXPECT_EQ(out.str(), "painting frames 71 to 80 of 80 ...\n");
+}
+
+TEST(Progress, TellsHowToSeeTheFrames) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kPlain);
+  progress.tellOfPreview();
+  EXPECT_EQ(out.str(), "");  // there is none to see
+  progress.frameDone(report(0, 1.0));
+  out.str("");
+  progress.tellOfPreview();
+  progress.previewWritten("p\n.png");
+  EXPECT_EQ(out.str(),
+            "to look at them: fluidymation preview, the same options, and --preview FILE.apng\n"
+            "preview: p?.png\n");
+}
+
 TEST(Progress, QuietSaysNothing) {
   std::ostringstream out;
   Progress progress(out, Progress::Style::kQuiet);
@@ -91,6 +114,8 @@ TEST(Progress, QuietSaysNothing) {
   progress.note("something");
   progress.frameDone(report(0, 1.0));
   progress.allDone();
+  progress.tellOfPreview();
+  progress.previewWritten("p.png");
   EXPECT_EQ(out.str(), "");
 }
 

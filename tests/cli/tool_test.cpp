@@ -55,7 +55,9 @@ TEST(Tool, PassesTheOptionsAndReportsFramesOnStderr) {
   EXPECT_EQ(outcome.err,
             "fluidymation: note: two frames\n"
             "frame 1 of 2  0.50 s  o/1\n"
-            "frame 2 of 2  0.50 s  o/2\n");
+            "frame 2 of 2  0.50 s  o/2\n"
+            "2 frames in 00:01: o/1 to o/2\n"
+            "to look at them: fluidymation preview, the same options, and --preview FILE.apng\n");
 }
 
 TEST(Tool, LinesForProgramsGoToStdoutAndNotesStayOnStderr) {
