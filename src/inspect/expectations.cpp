@@ -121,7 +121,7 @@ void tellOfRim(const KnownRun& run, std::vector<std::string>& lines) {
   if (!run.rimWidthPx) return;
   const double rim = std::max(1.0, double{*run.rimWidthPx});
   const double width = run.borderWidthPx;
-  if (width <= kTellWidthRatio * rim && rim <= kTellWidthRatio * width) return;
+  if (width <= kTellWidthRatio * rim) return;
   lines.push_back("exemplar: most of the change of its colours lies within " + tenths(rim) +
                   " px of the edge, the border is " + numberText(run.borderWidthPx) +
                   " px wide; compare --border-width " + tenths(rim));

@@ -80,7 +80,7 @@ std::vector<std::string> reportLines(const Inputs& inputs, const KnownRun& run,
                   fixedText(static_cast<double>(run.target.insidePx()) / 1e6, 1) +
                   " million mask pixels at " + fixedText(kLeastMicroseconds, 1) + " to " +
                   fixedText(kMostMicroseconds, 1) +
-                  " microseconds each, standard look, idle processors");
+                  " microseconds each, from a quiet to a busy machine");
   const std::vector<std::string> expected = expectations(run);
   if (expected.empty()) lines.emplace_back("look: nothing stands out that would look bad");
   for (const std::string& line : expected) lines.push_back("look: " + line);

@@ -13,11 +13,10 @@ struct TimeEstimate {
 };
 
 /// Processor time of a frame of the standard look, microseconds a pixel inside its smoothed mask,
-/// from the fastest to the slowest that docs/performance.md measured with a film of 20 frames on a
-/// quiet and on a busy machine (4.9 to 6.1), and a third more on either side for other shapes and
-/// processors.
-inline constexpr double kLeastMicroseconds = 3.7;
-inline constexpr double kMostMicroseconds = 8.1;
+/// with a film of 20 to 24 frames: the fastest and the slowest figure of docs/performance.md, of a
+/// quiet machine and of one on which others kept 16 jobs running on 2 processors.
+inline constexpr double kLeastMicroseconds = 4.9;
+inline constexpr double kMostMicroseconds = 13.5;
 
 /// The model: microseconds a pixel x pixels inside of all frames, for the exemplar's length (the
 /// table of docs/performance.md: 0.80 s + 0.0033 s x frames), twice that where frames are painted
