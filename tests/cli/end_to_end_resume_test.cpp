@@ -62,7 +62,7 @@ class Resume : public ::testing::Test {
   ProcessResult stopAfter(int frames, int signal, const ToolOptions& options = everyFrame()) const {
     ProcessSetup setup;
     setup.signalAfterOutput = signal;
-    setup.linesBeforeSignal = frames;
+    setup.linesBeforeSignal = 1 + frames;  // one line tells that painting begins
     return scene_.paint(options, setup);
   }
 
@@ -155,7 +155,7 @@ TEST_F(Resume, WithoutAStateBeginsWithTheFirstFrameAndSaysSo) {
   const ProcessResult result = scene_.paint(resuming());
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.err.find("fluidymation: note: there is no state to go on from; beginning with "
-                            "frame 1\nframe 1 of 6 "),
+                            "frame 1\npainting 6 frames ...\n"),
             0U)
       << result.err;
   EXPECT_TRUE(isComplete());
@@ -272,7 +272,8 @@ TEST_F(Resume, AFrameIsMendedWhereStatesAreKept) {
   const ProcessResult result =
       scene_.paint(everyFrame({{"--render-frames", "3-4"}, {"--threads", "2"}}));
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_NE(result.err.find("note: going on after the state of frame 2\nframe 3 of 4 "),
+  EXPECT_NE(result.err.find(
+                "note: going on after the state of frame 2\npainting frames 3 to 4 of 4 ...\n"),
             std::string::npos)
       << result.err;
   EXPECT_TRUE(filesOf(scene_.file("out")) == expected_);
@@ -282,8 +283,9 @@ TEST_F(Resume, AFrameIsMendedWhereStatesAreKept) {
 TEST_F(Resume, APartWithoutAStateStartsAfreshAndSaysSo) {
   const ProcessResult result = scene_.paint(everyFrame({{"--render-frames", "2-3"}}));
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_EQ(result.err.find("fluidymation: note: frame 2 starts afresh and looks other than after "
-                            "the frames before it: there is no state of frame 1\nframe 2 of 3 "),
+  EXPECT_EQ(result.err.find(
+                "fluidymation: note: frame 2 starts afresh and looks other than after "
+                "the frames before it: there is no state of frame 1\npainting frames 2 to 3 of 3 "),
             0U)
       << result.err;
   EXPECT_EQ(scene_.names("out"), (std::vector<std::string>{"00002.png", "00003.png"}));
@@ -311,9 +313,10 @@ TEST_F(Resume, ARestartedPartStartsAfresh) {
   const ProcessResult result =
       scene_.paint(everyFrame({{"--render-frames", "2-3"}, {"--restart", ""}}));
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_EQ(result.err.find("fluidymation: note: frame 2 starts afresh and looks other than after "
-                            "the frames before it: --restart was given\nframe 2 of 3 "),
-            0U)
+  EXPECT_EQ(
+      result.err.find("fluidymation: note: frame 2 starts afresh and looks other than after "
+                      "the frames before it: --restart was given\npainting frames 2 to 3 of 3 "),
+      0U)
       << result.err;
   EXPECT_NE(scene_.read(SmallScene::frame("out", 2)), expected_.at("00002.png"));
   std::vector<std::string> left = states();

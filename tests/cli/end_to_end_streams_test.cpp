@@ -22,6 +22,7 @@ TEST(EndToEndOutput, AStopSignalEndsTheRunAndLeavesWholeFrames) {
     scene.remove("out");
     ProcessSetup setup;
     setup.signalAfterOutput = signal;
+    setup.linesBeforeSignal = 2;  // that painting begins, and a frame
     const ProcessResult result = scene.paint(slow, setup);
     EXPECT_EQ(result.exitCode, code) << result.err;
     const std::vector<std::string> written = scene.names("out");
@@ -51,6 +52,8 @@ TEST(EndToEndOutput, APipeGetsOnePlainLinePerFrame) {
   EXPECT_EQ(result.out, "");
   std::istringstream lines(result.err);
   std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "painting 4 frames ...");
   for (int i = 1; i <= 4; ++i) {
     ASSERT_TRUE(std::getline(lines, line)) << result.err;
     const std::string beginning = "frame " + std::to_string(i) + " of 4  ";
@@ -62,6 +65,10 @@ TEST(EndToEndOutput, APipeGetsOnePlainLinePerFrame) {
         isSeconds(line.substr(beginning.size(), line.size() - beginning.size() - end.size())))
         << line;
   }
+  std::getline(lines, line);
+  EXPECT_EQ(line.find("4 frames in 00:"), 0U) << line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.find("to look at them: fluidymation preview"), 0U) << line;
   EXPECT_FALSE(std::getline(lines, line)) << line;
 }
 
@@ -74,7 +81,7 @@ TEST(EndToEndOutput, NotesTellOfFramesThatAreNotThereOrNotUsed) {
       "(--src-frames)\n"
       "fluidymation: note: --target-path target/%05d.png: the sequence ends with frame 4, after 4 "
       "of at most 9 frames (--target-frames)\n"
-      "frame 1 of 4  ";
+      "painting 4 frames ...\n";
   EXPECT_EQ(result.err.substr(0, notes.size()), notes);
 }
 
