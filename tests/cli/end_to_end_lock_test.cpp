@@ -45,7 +45,7 @@ TEST_F(Lock, WhatAKilledRunLeftIsTakenOverAndSaid) {
   const ProcessResult result = scene_.paint({{"--src-frames", "4"}, {"--target-frames", "4"}});
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.err.find("fluidymation: note: out/.fluidymation/lock: taken over from process "
-                            "4711 on host render7, which is gone\nframe 1 "),
+                            "4711 on host render7, which is gone\npainting 4 frames "),
             0U)
       << result.err;
   scene_.remove("out/.other.png.tmp." + letters);
