@@ -16,6 +16,7 @@
 #include "inspect/rim_profile.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/memory.h"
+#include "pipeline/memory_limit.h"
 #include "pipeline/protected_files.h"
 #include "pipeline/sequence_guides.h"
 #include "pipeline/thread_count.h"
@@ -27,7 +28,7 @@ namespace {
 struct SequenceStudy {
   SequenceFigures figures;
   GuidePictures pictures;
-  ShapeTally kept;
+  std::int64_t mostPixels = 0;  ///< inside in any frame
   bool drawsLines = false;
 };
 
@@ -45,18 +46,24 @@ SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
                     const std::function<void()>& stopIfWanted,
                     const std::function<void(int frame, const GuideFrame& guides)>& onFrame) {
   const int count = setup.masks.files.count();
-  SequenceStudy result{{}, GuidePictures(count), {}, false};
-  std::vector<double> areas;
+  SequenceStudy result{{}, GuidePictures(count), 0, false};
+  std::vector<double> areas(at(count));
   const MaskReader readAndNote = [&](int frame) {
     stopIfWanted();
     InputMask mask = readMask(setup.masks, setup.channel, frame);
-    areas.push_back(std::accumulate(mask.coverage.begin(), mask.coverage.end(), 0.0));
+    areas[at(frame)] = std::accumulate(mask.coverage.begin(), mask.coverage.end(), 0.0);
     result.figures.soft = result.figures.soft || mask.soft;
     return mask;
   };
-  GuideStream stream(
-      count, readAndNote, setup.guides, flowReader(setup.flow, stopIfWanted),
-      [&](const ShapeTally& tally) { result.kept = tally; }, stopIfWanted);
+  GuideStreamSetting setting;
+  setting.storage.memoryBytes = kWaitingBytes;
+  setting.storage.folder = std::filesystem::temp_directory_path().string();
+  setting.masksRead = [&](std::size_t mostPixels) {
+    result.mostPixels = static_cast<std::int64_t>(mostPixels);
+  };
+  setting.beforeFlow = stopIfWanted;
+  GuideStream stream(count, readAndNote, setup.guides, flowReader(setup.flow, stopIfWanted),
+                     setting);
   result.drawsLines = stream.drawsLines();
   Mask previous;
   for (int i = 0; i < count; ++i) {
@@ -127,7 +134,16 @@ Inspection inspect(const Options& given, const std::optional<std::string>& guide
   ReportFacts facts;
   facts.filesRead = checked.filesRead;
   facts.chosenWidths = chosenWidths(given, options);
-  facts.mostBytes = bytesOfRun(sizeOfRun(options, inputs)) + bytesKept(target.kept);
+  RunSize size = sizeOfRun(options, inputs);
+  size.exemplarMaskPixels = exemplar.mostPixels;
+  size.targetMaskPixels = target.mostPixels;
+  facts.mostBytes = bytesOfRun(size);
+  facts.limitBytes = memoryLimitBytes(options);
+  try {
+    requireMemory(options, size);
+  } catch (const UsageError& error) {
+    found.faults.emplace_back(error.what());
+  }
   facts.time = estimateTime(target.figures.insidePx(), inputs.color.files.count(),
                             options.synthesis, options.threads);
   facts.threads = options.threads;

@@ -72,8 +72,8 @@ std::vector<std::string> reportLines(const Inputs& inputs, const KnownRun& run,
   addSequence("animation", inputs.target, run.target, lines);
   if (facts.drawsLines) lines.push_back("  lines being drawn: see --new-material");
   if (!facts.chosenWidths.empty()) lines.push_back("chosen by size:" + facts.chosenWidths);
-  lines.push_back("memory: at most " + gibibytes(facts.mostBytes) + " (the limit is " +
-                  gibibytes(kMaxRunBytes) + ")");
+  lines.push_back("memory: at most " + memoryText(facts.mostBytes) + " (the limit is " +
+                  memoryText(facts.limitBytes) + ")");
   lines.push_back("time: " + durationText(facts.time.leastSeconds) + " to " +
                   durationText(facts.time.mostSeconds) + " with " + std::to_string(facts.threads) +
                   (facts.threads == 1 ? " thread" : " threads") + ": " +

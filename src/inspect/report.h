@@ -14,6 +14,7 @@ struct ReportFacts {
   int filesRead = 0;
   std::string chosenWidths;  ///< `chosenWidths`
   std::int64_t mostBytes = 0;
+  std::int64_t limitBytes = 0;
   TimeEstimate time;
   int threads = 1;
   bool drawsLines = false;
