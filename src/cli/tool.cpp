@@ -62,8 +62,11 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                           },
                           [&] { return stopSignal && stopSignal() != 0; },
                           [&](int frame, int frameCount) {
-                            if (lines) lines->paintingBegins(frame, frameCount);
-                            progress.paintingBegins(frame, frameCount);
+                            if (lines) {
+                              lines->paintingBegins(frame, frameCount);
+                            } else {
+                              progress.paintingBegins(frame, frameCount);
+                            }
                           }};
   try {
     if (lines) lines->readingBegins();

@@ -62,7 +62,7 @@ class Resume : public ::testing::Test {
   ProcessResult stopAfter(int frames, int signal, const ToolOptions& options = everyFrame()) const {
     ProcessSetup setup;
     setup.signalAfterOutput = signal;
-    setup.linesBeforeSignal = 1 + frames;  // one line tells that painting begins
+    setup.linesBeforeSignal = 2 + frames;  // of memory, and that painting begins
     return scene_.paint(options, setup);
   }
 
@@ -155,7 +155,7 @@ TEST_F(Resume, WithoutAStateBeginsWithTheFirstFrameAndSaysSo) {
   const ProcessResult result = scene_.paint(resuming());
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.err.find("fluidymation: note: there is no state to go on from; beginning with "
-                            "frame 1\npainting 6 frames ...\n"),
+                            "frame 1\nfluidymation: note: memory: "),
             0U)
       << result.err;
   EXPECT_TRUE(isComplete());
@@ -272,9 +272,9 @@ TEST_F(Resume, AFrameIsMendedWhereStatesAreKept) {
   const ProcessResult result =
       scene_.paint(everyFrame({{"--render-frames", "3-4"}, {"--threads", "2"}}));
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_NE(result.err.find(
-                "note: going on after the state of frame 2\npainting frames 3 to 4 of 4 ...\n"),
-            std::string::npos)
+  EXPECT_NE(
+      result.err.find("note: going on after the state of frame 2\nfluidymation: note: memory: "),
+      std::string::npos)
       << result.err;
   EXPECT_TRUE(filesOf(scene_.file("out")) == expected_);
   EXPECT_EQ(scene_.read(kManifest), manifest_);
@@ -285,7 +285,7 @@ TEST_F(Resume, APartWithoutAStateStartsAfreshAndSaysSo) {
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.err.find(
                 "fluidymation: note: frame 2 starts afresh and looks other than after "
-                "the frames before it: there is no state of frame 1\npainting frames 2 to 3 of 3 "),
+                "the frames before it: there is no state of frame 1\nfluidymation: note: memory: "),
             0U)
       << result.err;
   EXPECT_EQ(scene_.names("out"), (std::vector<std::string>{"00002.png", "00003.png"}));
@@ -315,7 +315,7 @@ TEST_F(Resume, ARestartedPartStartsAfresh) {
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(
       result.err.find("fluidymation: note: frame 2 starts afresh and looks other than after "
-                      "the frames before it: --restart was given\npainting frames 2 to 3 of 3 "),
+                      "the frames before it: --restart was given\nfluidymation: note: memory: "),
       0U)
       << result.err;
   EXPECT_NE(scene_.read(SmallScene::frame("out", 2)), expected_.at("00002.png"));

@@ -22,7 +22,7 @@ TEST(EndToEndOutput, AStopSignalEndsTheRunAndLeavesWholeFrames) {
     scene.remove("out");
     ProcessSetup setup;
     setup.signalAfterOutput = signal;
-    setup.linesBeforeSignal = 2;  // that painting begins, and a frame
+    setup.linesBeforeSignal = 3;  // memory, that painting begins, and a frame
     const ProcessResult result = scene.paint(slow, setup);
     EXPECT_EQ(result.exitCode, code) << result.err;
     const std::vector<std::string> written = scene.names("out");
@@ -53,6 +53,8 @@ TEST(EndToEndOutput, APipeGetsOnePlainLinePerFrame) {
   std::istringstream lines(result.err);
   std::string line;
   std::getline(lines, line);
+  EXPECT_EQ(line.find("fluidymation: note: memory: at most "), 0U) << line;
+  std::getline(lines, line);
   EXPECT_EQ(line, "painting 4 frames ...");
   for (int i = 1; i <= 4; ++i) {
     ASSERT_TRUE(std::getline(lines, line)) << result.err;
@@ -81,7 +83,7 @@ TEST(EndToEndOutput, NotesTellOfFramesThatAreNotThereOrNotUsed) {
       "(--src-frames)\n"
       "fluidymation: note: --target-path target/%05d.png: the sequence ends with frame 4, after 4 "
       "of at most 9 frames (--target-frames)\n"
-      "painting 4 frames ...\n";
+      "fluidymation: note: memory: ";
   EXPECT_EQ(result.err.substr(0, notes.size()), notes);
 }
 

@@ -46,7 +46,7 @@ TEST_F(ResumeInWindows, AfterAKillGivesTheSameBytes) {
     scene_.remove("out");
     ProcessSetup setup;
     setup.signalAfterOutput = SIGKILL;
-    setup.linesBeforeSignal = 1 + frames;  // one line tells that painting begins
+    setup.linesBeforeSignal = 2 + frames;  // of memory, and that painting begins
     EXPECT_EQ(scene_.paint(options_, setup).signal, SIGKILL);
     EXPECT_EQ(painted({{"--resume", ""}, {"--threads", frames % 2 == 0 ? "1" : "2"}}), expected_);
   }
