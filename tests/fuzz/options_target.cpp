@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/painter_syntax.h"
 #include "cli/resume_command.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -50,7 +51,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t byteCount) {
   const int argc = static_cast<int>(argv.size());
   argv.push_back(nullptr);
   try {
-    fuzz::checkParsed(cli::parseCommandLine(argc, argv.data()));
+    fuzz::checkParsed(cli::parseCommandLine(cli::painterSyntax(), argc, argv.data()));
     (void)cli::resumeCommand(argc, argv.data());
   } catch (const UsageError& error) {
     fuzz::require(!cli::oneLine(error.what()).empty(), "a complaint says something");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/command_line.h"
+#include "cli/painter_syntax.h"
 #include "packaging/option_list.h"
 
 namespace fluidymation::packaging {
@@ -18,7 +19,8 @@ std::string withoutEscapes(std::string text) {
 
 TEST(ManPage, HasEveryOptionThatHelpNames) {
   const char* const argv[] = {"fluidymation", "--help"};
-  std::istringstream help(cli::parseCommandLine(2, argv).information.value_or(""));
+  std::istringstream help(
+      cli::parseCommandLine(cli::painterSyntax(), 2, argv).information.value_or(""));
   const std::string page = withoutEscapes(manPageOptions(allOptions()));
   int options = 0;
   for (std::string line; std::getline(help, line);) {
