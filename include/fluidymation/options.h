@@ -16,6 +16,9 @@ struct SequenceOptions {
   int frames = 50;     ///< frames at most, >= 1; the sequence may end earlier
   int speed = 1;       ///< index increment between frames, not 0; negative plays backwards
   double scale = 1.0;  ///< scaling of the input frames, > 0
+  /// Whether `frames` is their number, not just an upper bound: missing ones at the end are a
+  /// fault.
+  bool complete = false;
 };
 
 struct MaskOptions {
