@@ -25,16 +25,22 @@ void addGoingOn(Table& table) {
              "frames from one saved state to the next\n(default as often as costs " +
                  numberText(100.0 * kCheckpointShare) + " % of the time; in " +
                  ranges::kCheckpointFrames.text() + ")",
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                line.options.continuation.checkpointEvery =
                    parseInt("--checkpoint-every", value, ranges::kCheckpointFrames);
+             },
+             [](const CommandLine& line) -> std::optional<std::string> {
+               const auto& every = line.options.continuation.checkpointEvery;
+               return every ? std::optional<std::string>(std::to_string(*every)) : std::nullopt;
              }});
-  table.add({"--keep-states", kGoingOn, "",
-             "keep all saved states, for --render-frames\n(default off: the last one, until all is "
-             "painted)",
-             false, [](CommandLine& line, const std::string&) {
-               line.options.continuation.keepStates = true;
-             }});
+  table.add(
+      {"--keep-states", kGoingOn, "",
+       "keep all saved states, for --render-frames\n(default off: the last one, until all is "
+       "painted)",
+       false,
+       [](CommandLine& line, const std::string&) { line.options.continuation.keepStates = true; },
+       [](const CommandLine& line) { return flagText(line.options.continuation.keepStates); }});
   table.add({"--render-frames", kGoingOn, "A-B",
              "paint only these of the animation's frames, guided by all of\nthem; as in a full run "
              "where a state of the frame before A is\nsaved, else afresh\n(default all)",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/nearest.h"
 #include "cli/table_builder.h"
 #include "cli/values.h"
 #include "fluidymation/automatic.h"
@@ -16,7 +17,6 @@ namespace {
 
 // Groups of the help text.
 constexpr const char* kLook = "Look";
-constexpr const char* kSequences = "Sequences";
 constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
 constexpr const char* kSynthesis = "Synthesis";
@@ -31,43 +31,15 @@ void addLook(Table& table) {
        "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
        false,
        [](CommandLine& line, const std::string& value) {
-         if (value == "thesis") {
-           applyThesisPreset(line.options);
-         } else if (value == "paper") {
-           applyPaperPreset(line.options);
-         } else if (value != "standard") {
-           throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
+         const auto preset = findPreset(value);
+         if (!preset) {
+           throw UsageError(shown("--preset", value) + ": " + wantedWord(value, presetNames()));
          }
+         preset->apply(line.options);
+         line.preset = value;
        },
-       {"standard", "thesis", "paper"}});
-}
-
-void addSequences(Table& table) {
-  table.integer("--src-start", kSequences, "number of the exemplar's first frame", "",
-                ranges::kFrameNumbers, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.source.start; });
-  table.integer("--src-frames", kSequences, "frames of the exemplar, at most", "frames",
-                ranges::kFrameCounts, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.source.frames; });
-  table.integer(
-      "--src-speed", kSequences, "from number to number; negative plays backwards", "",
-      ranges::kSpeeds, "thesis §4.5", [](CommandLine& c) -> int& { return c.options.source.speed; },
-      false);
-  table.real("--src-scale", kSequences, "scaling of the exemplar and its masks", "",
-             ranges::kScales, "thesis §4.5",
-             [](CommandLine& c) -> double& { return c.options.source.scale; });
-  table.integer("--target-start", kSequences, "number of the animation's first frame", "",
-                ranges::kFrameNumbers, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.target.start; });
-  table.integer("--target-frames", kSequences, "frames to paint, at most", "frames",
-                ranges::kFrameCounts, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.target.frames; });
-  table.integer(
-      "--target-speed", kSequences, "from number to number; negative plays backwards", "",
-      ranges::kSpeeds, "thesis §4.5", [](CommandLine& c) -> int& { return c.options.target.speed; },
-      false);
-  table.real("--target-scale", kSequences, "scaling of the animation", "", ranges::kScales,
-             "thesis §4.5", [](CommandLine& c) -> double& { return c.options.target.scale; });
+       [](const CommandLine& line) { return std::optional<std::string>(line.preset); },
+       presetNames()});
 }
 
 void addMasksAndMotion(Table& table) {
@@ -150,10 +122,16 @@ void addGuides(Table& table) {
            numberText(bounds.upper) + " and " + numberText(bounds.lower) +
            " times the border width;\nin " + ranges::kModulationBoundsPx.text() +
            " px, m_u > m_l; thesis §3.7: 10,2)",
-       false, [](CommandLine& line, const std::string& value) {
+       false,
+       [](CommandLine& line, const std::string& value) {
          const FloatPair pair =
              parseDescendingPair("--prev-modulation-bounds", value, ranges::kModulationBoundsPx);
          line.options.synthesis.prevModulation = {pair.first, pair.second, ModulationUnit::kPixels};
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const ModulationBounds& b = line.options.synthesis.prevModulation;
+         if (b.unit != ModulationUnit::kPixels) return std::nullopt;
+         return numberText(b.upper) + "," + numberText(b.lower);
        }});
 }
 
@@ -234,8 +212,12 @@ void addSynthesis(Table& table) {
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                line.options.synthesis.seed = parseSeed("--seed", value);
+             },
+             [](const CommandLine& line) {
+               return std::optional<std::string>(std::to_string(line.options.synthesis.seed));
              }});
 }
 
@@ -250,8 +232,14 @@ void addRunning(Table& table) {
              "changes the clock only, never a byte\n(default OMP_NUM_THREADS, else "
              "SLURM_CPUS_PER_TASK,\nelse all processors; in " +
                  ranges::kThreads.text() + "; thesis §4.4.2)",
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                line.options.threads = parseInt("--threads", value, ranges::kThreads);
+               line.threadsAreGiven = true;
+             },
+             [](const CommandLine& line) -> std::optional<std::string> {
+               if (!line.threadsAreGiven) return std::nullopt;
+               return std::to_string(line.options.threads);
              }});
   table.add(
       {"--max-memory", kRunningGroup, "SIZE",
@@ -268,10 +256,14 @@ void addRunning(Table& table) {
        [](CommandLine& line, const std::string& value) {
          line.progress = parseWord("--progress", value, progressFormats());
        },
+       [](const CommandLine& line) {
+         return std::optional<std::string>(wordFor(progressFormats(), line.progress));
+       },
        namesOf(progressFormats())});
   table.add({"--quiet", kRunningGroup, "",
              "no progress and no notes; errors are still printed\n(default off)", false,
-             [](CommandLine& line, const std::string&) { line.quiet = true; }});
+             [](CommandLine& line, const std::string&) { line.quiet = true; },
+             [](const CommandLine& line) { return flagText(line.quiet); }});
 }
 
 }  // namespace
@@ -279,6 +271,7 @@ void addRunning(Table& table) {
 std::vector<Spec> optionTable() {
   Table table;
   addFiles(table);
+  addConfig(table);
   addLook(table);
   addSequences(table);
   addMasksAndMotion(table);
