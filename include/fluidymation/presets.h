@@ -26,6 +26,13 @@ struct Preset {
 /// The defaults.
 void applyStandardPreset(Options& options);
 
+/// The defaults with more of the film's fine detail, in larger pieces; flickers more
+/// (docs/looks.md).
+void applyCrispPreset(Options& options);
+
+/// The defaults with less flicker and softer paint, in about twice the time (docs/looks.md).
+void applyCalmPreset(Options& options);
+
 /// Sets everything that shapes the picture to the thesis' own rules and numbers (§4.5), whatever
 /// the defaults have become since. Paths, numbering, scales, seed and threads stay as they are.
 void applyThesisPreset(Options& options);

@@ -8,6 +8,13 @@ namespace {
 
 constexpr const char* kGoingOn = "Stopping and going on";
 
+void setExisting(CommandLine& line, ExistingFrames existing) {
+  if (line.options.continuation.existing != ExistingFrames::kOwn) {
+    throw UsageError("--overwrite, --skip-existing: wanted one of them at most");
+  }
+  line.options.continuation.existing = existing;
+}
+
 }  // namespace
 
 void addGoingOn(Table& table) {
@@ -21,6 +28,18 @@ void addGoingOn(Table& table) {
       {"--restart", kGoingOn, "",
        "discard what a stopped run has left, and begin anew\n(default off)", false,
        [](CommandLine& line, const std::string&) { line.options.continuation.restart = true; }});
+  table.add({"--overwrite", kGoingOn, "",
+             "replace whatever has the name of a frame\n(default off: only what a run has painted, "
+             "and is as it was)",
+             false, [](CommandLine& line, const std::string&) {
+               setExisting(line, ExistingFrames::kReplace);
+             }});
+  table.add({"--skip-existing", kGoingOn, "",
+             "keep what has the name of a frame and paint the frames that\nare not there, as "
+             "--render-frames does\n(default off)",
+             false, [](CommandLine& line, const std::string&) {
+               setExisting(line, ExistingFrames::kKeep);
+             }});
   table.add({"--checkpoint-every", kGoingOn, "N",
              "frames from one saved state to the next\n(default as often as costs " +
                  numberText(100.0 * kCheckpointShare) + " % of the time; in " +

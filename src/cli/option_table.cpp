@@ -23,23 +23,22 @@ constexpr const char* kSynthesis = "Synthesis";
 
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
-  table.add(
-      {"--preset",
-       kLook,
-       "NAME",
-       "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
-       "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
-       false,
-       [](CommandLine& line, const std::string& value) {
-         const auto preset = findPreset(value);
-         if (!preset) {
-           throw UsageError(shown("--preset", value) + ": " + wantedWord(value, presetNames()));
-         }
-         preset->apply(line.options);
-         line.preset = value;
-       },
-       [](const CommandLine& line) { return std::optional<std::string>(line.preset); },
-       presetNames()});
+  table.add({"--preset", kLook, "NAME",
+             "standard: the best we know; crisp: more detail; calm: less\nflicker, slower; thesis, "
+             "paper: their numbers and rules,\nwhatever the defaults; what else is given prevails\n"
+             "(default standard; thesis §4.5, paper table 1)",
+             false,
+             [](CommandLine& line, const std::string& value) {
+               const auto preset = findPreset(value);
+               if (!preset) {
+                 throw UsageError(shown("--preset", value) + ": " +
+                                  wantedWord(value, presetNames()));
+               }
+               preset->apply(line.options);
+               line.preset = value;
+             },
+             [](const CommandLine& line) { return std::optional<std::string>(line.preset); },
+             presetNames()});
 }
 
 void addMasksAndMotion(Table& table) {
@@ -70,6 +69,35 @@ void addMasksAndMotion(Table& table) {
                           [](CommandLine& c) -> MotionModel& { return c.options.motionModel; });
 }
 
+/// A number, or a rule that finds one.
+void addBorderWidth(Table& table) {
+  constexpr const char* kSizeWord = "size";
+  table.add(
+      {"--border-width", kGuides, "X",
+       "width of the border segment; auto: measured, where the film's\ncolours stop depending on "
+       "the distance to the edge\n(default size: " +
+           numberText(kBorderWidthShare) + " times the square root of the film frames'\narea; in " +
+           ranges::kWidthsPx.text() + " px; thesis §3.4: 10)",
+       false,
+       [](CommandLine& line, const std::string& value) {
+         line.options.borderWidthPx.reset();
+         line.options.borderWidthRule = BorderWidthRule::kBySize;
+         if (value == kSizeWord) return;
+         if (value == kAutomaticWord) {
+           line.options.borderWidthRule = BorderWidthRule::kMeasured;
+         } else {
+           line.options.borderWidthPx =
+               parseFloat("--border-width", value, ranges::kWidthsPx,
+                          std::string(", ") + kAutomaticWord + " or " + kSizeWord);
+         }
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const Options& options = line.options;
+         if (options.borderWidthPx) return numberText(*options.borderWidthPx);
+         return options.borderWidthRule == BorderWidthRule::kBySize ? kSizeWord : kAutomaticWord;
+       }});
+}
+
 void addGuides(Table& table) {
   table.real("--dist-weight", kGuides, "weight of the edge or shape guide", "", ranges::kWeights,
              "thesis §3.4",
@@ -83,10 +111,7 @@ void addGuides(Table& table) {
   table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
-  table.automatic("--border-width", kGuides, "width of the border segment",
-                  numberText(kBorderWidthShare) + " times the square root of the film frames' area",
-                  ranges::kWidthsPx, "thesis §3.4: 10",
-                  [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
+  addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",
       {{"distance", ShapeGuide::kEdgeDistance}, {"blurred", ShapeGuide::kBlurredMask}},

@@ -40,10 +40,11 @@ template <typename T>
 }
 
 template <typename T>
-[[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range) {
+[[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range,
+                          const std::string& others = "") {
   if (const std::optional<T> value = parseWithin<T>(text, range)) return *value;
   throw UsageError(shown(option, text) + ": " + (vanishes<T>(text) ? "is too near to 0; " : "") +
-                   "wanted a number in " + range.text());
+                   "wanted a number in " + range.text() + others);
 }
 
 [[nodiscard]] std::vector<std::string> splitAtCommas(const std::string& text) {
@@ -81,16 +82,15 @@ std::string listText(const std::vector<int>& values) {
   return text;
 }
 
-float parseFloat(const std::string& option, const std::string& text, const Range& range) {
-  return parseReal<float>(option, text, range);
+float parseFloat(const std::string& option, const std::string& text, const Range& range,
+                 const std::string& others) {
+  return parseReal<float>(option, text, range, others);
 }
 
 std::optional<float> parseAutomatic(const std::string& option, const std::string& text,
                                     const Range& range) {
   if (text == kAutomaticWord) return std::nullopt;
-  if (const auto value = parseWithin<float>(text, range)) return value;
-  throw UsageError(shown(option, text) + ": wanted a number in " + range.text() + " or " +
-                   kAutomaticWord);
+  return parseFloat(option, text, range, std::string(" or ") + kAutomaticWord);
 }
 
 double parseDouble(const std::string& option, const std::string& text, const Range& range) {

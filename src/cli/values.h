@@ -16,8 +16,9 @@ namespace fluidymation::cli {
 // The readers of option values. The whole text must be one number (or list); nothing depends on the
 // locale. All throw UsageError: "--mask-threshold 0.7: wanted a number in (0, 0.5]".
 
+/// @param others  what is wanted else, for the message: " or auto".
 [[nodiscard]] float parseFloat(const std::string& option, const std::string& text,
-                               const Range& range);
+                               const Range& range, const std::string& others = "");
 [[nodiscard]] double parseDouble(const std::string& option, const std::string& text,
                                  const Range& range);
 [[nodiscard]] int parseInt(const std::string& option, const std::string& text, const Range& range,

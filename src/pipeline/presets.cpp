@@ -11,6 +11,7 @@ void applyStandardPreset(Options& options) {
   options.targetBlurSigmaPx = standard.targetBlurSigmaPx;
   options.maskThreshold = standard.maskThreshold;
   options.borderWidthPx = standard.borderWidthPx;
+  options.borderWidthRule = standard.borderWidthRule;
   options.timeBlurSigmaFrames = standard.timeBlurSigmaFrames;
   options.flowBlurSigmaFrames = standard.flowBlurSigmaFrames;
   options.motionModel = standard.motionModel;
@@ -69,8 +70,23 @@ void applyPaperPreset(Options& options) {
   synthesis.prevModulation = {0.1F, 0.01F, ModulationUnit::kTargetSides};
 }
 
+void applyCrispPreset(Options& options) {
+  applyStandardPreset(options);
+  // A window's own pixel alone: narrower changes nothing any more.
+  options.synthesis.paintedVote.sigmaPx = 0.25F;
+  options.synthesis.coherenceWeight = 32.0F;
+}
+
+void applyCalmPreset(Options& options) {
+  applyStandardPreset(options);
+  options.synthesis.paintedVote.sigmaPx = 0.5F;
+  options.synthesis.temporalCoherence = TemporalCoherence::kBidirectional;
+}
+
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {{"standard", applyStandardPreset},
+                                          {"crisp", applyCrispPreset},
+                                          {"calm", applyCalmPreset},
                                           {"thesis", applyThesisPreset},
                                           {"paper", applyPaperPreset}};
   return all;

@@ -69,6 +69,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--patchmatch-alpha", "0.5",
        [](C c) { return c.options.synthesis.patchmatchAlpha == 0.5F; }},
       {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
+      {"--border-width", "auto",
+       [](C c) { return c.options.borderWidthRule == BorderWidthRule::kMeasured; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
          const ModulationBounds& bounds = c.options.synthesis.prevModulation;

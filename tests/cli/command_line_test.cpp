@@ -29,6 +29,12 @@ TEST(CommandLine, EveryOptionReachesTheOptions) {
   EXPECT_FALSE(defaults.quiet);
   EXPECT_TRUE(parse(complete({"--resume"})).options.continuation.resume);
   EXPECT_TRUE(parse(complete({"--restart"})).options.continuation.restart);
+  EXPECT_EQ(parse(complete({"--overwrite"})).options.continuation.existing,
+            ExistingFrames::kReplace);
+  EXPECT_EQ(parse(complete({"--skip-existing"})).options.continuation.existing,
+            ExistingFrames::kKeep);
+  EXPECT_EQ(complaint(complete({"--skip-existing", "--overwrite"})),
+            "--overwrite, --skip-existing: wanted one of them at most");
   EXPECT_TRUE(parse(complete({"--keep-states"})).options.continuation.keepStates);
   EXPECT_EQ(parse({"--verify", "m.json"}).manifest, "m.json");
 }
@@ -58,7 +64,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
   const std::string wantedTimeSigma = ": wanted a number in [0, 50]";
   const std::string wantedWeight = ": wanted a number in [0, 1000000]";
   const std::string wantedAlpha = ": wanted a number in (0, 0.99]";
-  const std::string wantedWidth = ": wanted a number in [0.1, 10000] or auto";
+  const std::string wantedWidth = ": wanted a number in [0.1, 10000], auto or size";
   const std::string wantedRange =
       ": wanted two frame numbers and a step from 1 up, e.g. 10-80x2, or without x2";
   const struct {
@@ -66,7 +72,7 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
     std::string value;
     std::string wanted;
   } cases[] = {
-      {"--preset", "Paper", ": wanted standard, thesis or paper; did you mean paper?"},
+      {"--preset", "Paper", ": wanted standard, crisp, calm, thesis or paper; did you mean paper?"},
       {"--new-material", "flesh", ": wanted auto, fresh or plain; did you mean fresh?"},
       {"--src-range", "10-80x0", wantedRange},
       {"--src-range", "10-80x", wantedRange},

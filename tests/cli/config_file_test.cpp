@@ -73,7 +73,7 @@ TEST(ConfigFile, GivesWayToTheCommandLine) {
   const ConfigFile file(std::string(kPaths) +
                         "lambda = 7\nborder-width = 12\nsrc-start = 4\nvote-sigma = 3\n"
                         "preset = \"paper\"\n");
-  const Options given = file.parsed({"--lambda", "1", "--border-width", "auto"}).options;
+  const Options given = file.parsed({"--lambda", "1", "--border-width", "size"}).options;
   EXPECT_EQ(given.synthesis.lambda, 1.0F);
   EXPECT_FALSE(given.borderWidthPx);
   EXPECT_EQ(given.synthesis.prevWeight, 4.0F);  // the paper's
@@ -98,7 +98,8 @@ TEST(ConfigFile, FaultsAreNamedWithTheirLine) {
       {"lambda = much", "line 1: --lambda much: wanted a number in [0, 1000000]"},
       {"quiet = 1", "line 1: --quiet 1: wanted true or false"},
       {"preset = papre",
-       "line 1: --preset papre: wanted standard, thesis or paper; did you mean paper?"},
+       "line 1: --preset papre: wanted standard, crisp, calm, thesis or paper; did you mean "
+       "paper?"},
       {"resume = true", "line 1: resume: is for the command line, not for a config file"},
       {"config = a.toml", "line 1: config: is for the command line, not for a config file"},
       {"[look]\nseed = 1",
@@ -150,15 +151,16 @@ TEST(PrintConfig, GivesTheSameOptionsBack) {
 }
 
 TEST(PrintConfig, HoldsAllOptionsButThoseOfOneRun) {
-  const std::set<std::string> ofOneRun = {"--config",  "--print-config",  "--resume",
-                                          "--restart", "--render-frames", "--verify"};
+  const std::set<std::string> ofOneRun = {"--config",    "--print-config",  "--resume",
+                                          "--restart",   "--render-frames", "--verify",
+                                          "--overwrite", "--skip-existing"};
   const std::string text = printed(kRequired);
   for (const Spec& spec : optionTable()) {
     const bool held = text.find("\n" + spec.name.substr(2) + " = ") != std::string::npos ||
                       text.find("\n# " + spec.name.substr(2) + " = ") != std::string::npos;
     EXPECT_NE(held, ofOneRun.count(spec.name) > 0) << spec.name;
   }
-  EXPECT_NE(text.find("\nborder-width = \"auto\"\n"), std::string::npos);
+  EXPECT_NE(text.find("\nborder-width = \"size\"\n"), std::string::npos);
   EXPECT_NE(printed({}).find("\n# src-path = (required)\n"), std::string::npos);
 }
 

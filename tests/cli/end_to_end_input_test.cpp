@@ -264,8 +264,8 @@ TEST(EndToEndInput, MasksThatAreAllEmptyMakeNoExemplar) {
   }
   EXPECT_TRUE(failedWith(1,
                          "--src-mask-path mask/%05d.png: all 2 masks are empty after smoothing "
-                         "with --blur-sigma; wanted some material, so check the masks or lower "
-                         "--blur-sigma",
+                         "with --blur-sigma 1, given, found or set by --preset; wanted some "
+                         "material, so check the masks or lower --blur-sigma",
                          refusal(scene)));
 }
 
