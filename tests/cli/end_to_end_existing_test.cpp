@@ -43,7 +43,8 @@ TEST(EndToEndExisting, APictureWithoutAManifestIsNotReplaced) {
 
 TEST(EndToEndExisting, WhatIsThereIsKeptAndTheRestPainted) {
   const SmallScene scene;
-  const SmallScene::Painting all = scene.painting({{"--keep-states", ""}});
+  const SmallScene::Painting all =
+      scene.painting({{"--keep-states", ""}, {"--checkpoint-every", "1"}});
   scene.write("out/00001.png", kPicture);
   scene.remove("out/00002.png");
   scene.remove("out/00004.png");
