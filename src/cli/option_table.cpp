@@ -270,8 +270,13 @@ void addRunning(Table& table) {
       {"--max-memory", kRunningGroup, "SIZE",
        "refuse to begin what may need more, e.g. 4G or 800M\n(default what the machine or its "
        "control group has; at least\n16M; not in the thesis)",
-       false, [](CommandLine& line, const std::string& value) {
+       false,
+       [](CommandLine& line, const std::string& value) {
          line.options.maxMemoryBytes = parseBytes("--max-memory", value, ranges::kLeastMemoryBytes);
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const auto& bytes = line.options.maxMemoryBytes;
+         return bytes ? std::optional<std::string>(std::to_string(*bytes)) : std::nullopt;
        }});
   table.add(
       {"--progress", kRunningGroup, "NAME",
