@@ -13,8 +13,7 @@ struct Replay {
   std::vector<std::pair<std::string, std::string>> options;
 };
 
-/// @throws Error naming the manifest when it cannot be read or is none, or when it holds a path
-/// that was no UTF-8 and is therefore lost.
+/// @throws Error naming the manifest when it cannot be read or is none.
 [[nodiscard]] Replay replayOf(const std::string& manifestPath);
 
 }  // namespace fluidymation
