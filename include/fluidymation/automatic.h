@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fluidymation/core/geometry.h"
@@ -26,5 +27,13 @@ inline constexpr float kBorderWidthShare = 0.035F;
 
 /// @param exemplar  size as scaled. @return  px, rounded to tenths, at least 1.
 [[nodiscard]] float automaticBorderWidthPx(Size exemplar);
+
+/// A measured border width is taken as far as it lies between these multiples of the above: a film
+/// whose colours change all the way inwards has no rim that a border segment could stand for.
+inline constexpr float kLeastMeasuredShare = 0.5F;
+inline constexpr float kMostMeasuredShare = 2.0F;
+
+/// @param measuredPx  nothing where the film has no edge to measure at. @return  px, likewise.
+[[nodiscard]] float boundedBorderWidthPx(std::optional<float> measuredPx, Size exemplar);
 
 }  // namespace fluidymation

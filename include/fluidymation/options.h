@@ -16,6 +16,9 @@ struct SequenceOptions {
   int frames = 50;     ///< frames at most, >= 1; the sequence may end earlier
   int speed = 1;       ///< index increment between frames, not 0; negative plays backwards
   double scale = 1.0;  ///< scaling of the input frames, > 0
+  /// Whether `frames` is their number, not just an upper bound: missing ones at the end are a
+  /// fault.
+  bool complete = false;
 };
 
 struct MaskOptions {
@@ -182,6 +185,13 @@ struct FrameNumbers {
   int last = 0;
 };
 
+/// What happens to files that have names of frames to be painted.
+enum class ExistingFrames {
+  kOwn,      ///< those that a run has painted are replaced; others are a fault
+  kReplace,  ///< all are replaced
+  kKeep,     ///< all are kept, and the frames count as painted
+};
+
 /// How a run goes on after one that was stopped, and what it keeps for the next one. None of this
 /// changes a byte of a frame, unless `render` begins where no state is.
 struct ContinuationOptions {
@@ -190,8 +200,15 @@ struct ContinuationOptions {
   /// A state is saved after every so many frames; where not given, as often as costs
   /// `kCheckpointShare` of the run.
   std::optional<int> checkpointEvery;
-  bool keepStates = false;             ///< keep all of them, for `render`
+  bool keepStates = false;  ///< keep all of them, for `render`
+  ExistingFrames existing = ExistingFrames::kOwn;
   std::optional<FrameNumbers> render;  ///< the only frames to be painted
+};
+
+/// Where the border width comes from when none is given.
+enum class BorderWidthRule {
+  kBySize,    ///< a share of the film's size: `automaticBorderWidthPx`
+  kMeasured,  ///< where the film's colours stop depending on the distance to the edge
 };
 
 /// Everything one run depends on. What each option accepts is stated in option_ranges.h.
@@ -213,9 +230,9 @@ struct Options {
   /// The same for the target; where not given, `blurSigmaPx`, else from the areas of its own masks.
   std::optional<float> targetBlurSigmaPx;
   float maskThreshold = 0.3F;  ///< of both, in (0, 0.5]; §4.1
-  /// Border segment: distance below this, §3.4; where not given, it follows from the size of the
-  /// exemplar (`automaticBorderWidthPx`).
+  /// Border segment: distance below this, §3.4; where not given, it is found by `borderWidthRule`.
   std::optional<float> borderWidthPx;
+  BorderWidthRule borderWidthRule = BorderWidthRule::kBySize;
   float timeBlurSigmaFrames = 2.0F;
   float flowBlurSigmaFrames = 0.0F;
   /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.

@@ -14,8 +14,8 @@
 namespace fluidymation {
 
 // What a run can have at most: what is read is not trusted.
-inline constexpr std::size_t kMostOptions = 64;  ///< the command line has fewer
-inline constexpr std::size_t kMostInputs = 5;    ///< film, masks, target and two flows
+inline constexpr std::size_t kMostOptions = 128;  ///< the command line has fewer
+inline constexpr std::size_t kMostInputs = 5;     ///< film, masks, target and two flows
 inline constexpr auto kMostFrames = static_cast<std::size_t>(ranges::kFrameCounts.high);
 
 /// The files of one input option.

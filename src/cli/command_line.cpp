@@ -7,13 +7,15 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/command_syntax.h"
+#include "cli/config_file.h"
+#include "cli/input_folders.h"
+#include "cli/nearest.h"
 #include "cli/option_table.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -27,22 +29,6 @@ constexpr const char* kHelp = "--help";
 constexpr const char* kShortHelp = "-h";
 constexpr const char* kVersion = "--version";
 
-/// Letters to insert, delete or replace to turn `a` into `b` (Levenshtein).
-[[nodiscard]] std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 /// "--flow-weight" for "--flow", "--src-path, --src-mask-path, ..." for "--src"; else empty.
 [[nodiscard]] std::string optionsBeginningWith(const std::string& name,
                                                const std::vector<Spec>& table) {
@@ -55,19 +41,10 @@ constexpr const char* kVersion = "--version";
   return names;
 }
 
-/// The option that a slip of the fingers turns into `name`; empty where none is near.
-[[nodiscard]] std::string nearestOption(const std::string& name, const std::vector<Spec>& table) {
-  std::string nearest;
-  constexpr std::size_t kLongestName = 40;
-  std::size_t smallest = 4;  // a name further away is another word
-  for (const Spec& spec : table) {
-    if (name.size() > kLongestName) break;
-    const std::size_t distance = editDistance(name, spec.name);
-    if (distance >= smallest) continue;
-    smallest = distance;
-    nearest = spec.name;
-  }
-  return nearest;
+[[nodiscard]] std::vector<std::string> namesOf(const std::vector<Spec>& table) {
+  std::vector<std::string> names;
+  for (const Spec& spec : table) names.push_back(spec.name);
+  return names;
 }
 
 [[noreturn]] void refuseArgument(const std::string& argument, const std::vector<Spec>& table) {
@@ -77,10 +54,12 @@ constexpr const char* kVersion = "--version";
   }
   const std::string name = argument.substr(0, argument.find('='));
   std::string likely = optionsBeginningWith(name, table);
-  if (likely.empty()) likely = nearestOption(name, table);
+  if (likely.empty()) likely = nearest(name, namesOf(table));
   throw UsageError(shown("option", name) + ": there is no such option" +
                    (likely.empty() ? "; see --help" : "; did you mean " + likely + "?"));
 }
+
+using Names = std::set<std::string>;  ///< of options
 
 [[nodiscard]] bool isFlag(const std::string& name, const std::vector<Spec>& table) {
   if (name == kHelp || name == kShortHelp || name == kVersion) return true;
@@ -91,9 +70,8 @@ constexpr const char* kVersion = "--version";
 /// What CLI11 would let pass: it takes "--seed= 5" for "--seed 5", which to us is an option without
 /// a value, and lets flags be set by "--quiet=true".
 /// @return  names of the options that are given as "--option=value".
-std::set<std::string> checkAssignments(int argc, const char* const* argv,
-                                       const std::vector<Spec>& table) {
-  std::set<std::string> assigned;
+Names checkAssignments(int argc, const char* const* argv, const std::vector<Spec>& table) {
+  Names assigned;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     const std::size_t equals = argument.find('=');
@@ -123,6 +101,20 @@ void applyOption(const Spec& spec, const std::vector<std::string>& values, bool 
   spec.apply(line, value);
 }
 
+[[nodiscard]] const Spec& specOf(const std::string& name, const std::vector<Spec>& table) {
+  return *std::find_if(table.begin(), table.end(),
+                       [&](const Spec& spec) { return spec.name == name; });
+}
+
+/// An option with the value that a file has for it.
+void applyEntry(const Spec& spec, const std::string& value, CommandLine& line) {
+  if (!spec.valueName.empty()) return spec.apply(line, value);
+  if (value != "true" && value != "false") {
+    throw UsageError(shown(spec.name, value) + ": wanted true or false");
+  }
+  if (value == "true") spec.apply(line, "");
+}
+
 /// --verify wants nothing but its manifest.
 void refuseOthers(const std::string& alone, const std::vector<Spec>& table, const CLI::App& app) {
   for (const Spec& spec : table) {
@@ -133,13 +125,44 @@ void refuseOthers(const std::string& alone, const std::vector<Spec>& table, cons
   }
 }
 
-void requireOptions(const std::vector<Spec>& table, const CLI::App& app) {
+void requireOptions(const std::vector<Spec>& table, const Names& given) {
   std::string missing;
   for (const Spec& spec : table) {
-    if (!spec.required || app.get_option(spec.name)->count() > 0) continue;
+    if (!spec.required || given.count(spec.name) > 0) continue;
     missing += (missing.empty() ? "" : ", ") + spec.name;
   }
   if (!missing.empty()) throw UsageError(missing + ": required, but not given (see --help)");
+}
+
+/// @throws UsageError where frames are chosen in two ways at once.
+void requireOneChoice(const Names& given) {
+  for (const std::string prefix : {"--src", "--target"}) {
+    if (given.count(prefix + "-range") == 0) continue;
+    for (const char* other : {"-start", "-frames", "-speed"}) {
+      if (given.count(prefix + other) == 0) continue;
+      throw UsageError(prefix + "-range, " + prefix + other + ": wanted one of them at most");
+    }
+  }
+}
+
+/// The options of a config file. @return  their names.
+Names applyConfig(const std::string& path, const std::vector<Spec>& table, CommandLine& line) {
+  Config config = readConfig(path, table);
+  Names names;
+  for (const Spec& spec : table) {
+    for (const ConfigEntry& entry : config.entries) {
+      if (entry.option != spec.name) continue;
+      names.insert(entry.option);
+      try {
+        applyEntry(spec, entry.value, line);
+      } catch (const UsageError& error) {
+        throw UsageError(entry.place + ": " + error.what());
+      }
+    }
+  }
+  requireOneChoice(names);
+  if (!config.note.empty()) line.notes.push_back(std::move(config.note));
+  return names;
 }
 
 [[nodiscard]] int firstNumber(const char* text) {
@@ -193,7 +216,7 @@ CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* 
   CLI::App app("", syntax.name);
   describe(app, syntax);
   CommandLine line;
-  std::set<std::string> assigned;
+  Names assigned;
   try {
     assigned = checkAssignments(argc, argv, table);
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -216,18 +239,34 @@ CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* 
   line.options.threads = defaultThreads(std::getenv("OMP_NUM_THREADS"),
                                         std::getenv("SLURM_CPUS_PER_TASK"), omp_get_num_procs());
   // NOLINTEND(concurrency-mt-unsafe)
+  Names given;
+  std::vector<std::string> files;
+  if (const CLI::Option* const config = app.get_option_no_throw("--config")) {
+    files = config->results();
+  }
+  if (files.size() == 1) {  // else it is refused below
+    applyOption(specOf("--config", table), files, assigned.count("--config") > 0, line);
+    given = applyConfig(*line.configFile, table, line);
+  }
+  Names givenHere;
   for (const Spec& spec : table) {
     const std::vector<std::string> values = app.get_option(spec.name)->results();
-    if (!values.empty()) applyOption(spec, values, assigned.count(spec.name) > 0, line);
+    if (values.empty()) continue;
+    applyOption(spec, values, assigned.count(spec.name) > 0, line);
+    givenHere.insert(spec.name);
   }
+  requireOneChoice(givenHere);
+  given.insert(givenHere.begin(), givenHere.end());
   // After the values: what a forgotten value pushed aside is not the user's mistake.
   const std::vector<std::string> extras = app.remaining();
   if (!extras.empty()) refuseArgument(extras.front(), table);
   if (line.manifest) {
     refuseOthers("--verify", table, app);
-  } else {
-    requireOptions(table, app);
+    return line;
   }
+  if (!line.printsConfig) requireOptions(table, given);
+  resolveFolders(given, line.options);
+  if (line.printsConfig) line.information = configText(table, line);
   return line;
 }
 

@@ -14,7 +14,7 @@ void addFiles(Table& table) {
                 [](CommandLine& c) -> std::string& { return c.options.target.path; });
   table.pattern(
       "--out-path", "painted frames to write, PNG, numbered as --target-path", "thesis §3.1",
-      [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPattern);
+      [](CommandLine& c) -> std::string& { return c.options.outPath; }, checkOutputPath);
   table.optionalPattern("--src-flow-path",
                         "the exemplar's motion, .flo or KITTI PNG, not derived from\n"
                         "masks; unknown vectors count as 0: fill holes before",
@@ -38,12 +38,14 @@ void addFiles(Table& table) {
   table.add({"--dump-guides", kFilesGroup, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                if (value.empty()) {
                  throw UsageError(shown("--dump-guides", value) + ": wanted a folder's name");
                }
                line.options.dumpGuidesDirectory = value;
-             }});
+             },
+             [](const CommandLine& line) { return line.options.dumpGuidesDirectory; }});
 }
 
 }  // namespace fluidymation::cli

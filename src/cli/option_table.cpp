@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/nearest.h"
 #include "cli/table_builder.h"
 #include "cli/values.h"
 #include "fluidymation/automatic.h"
@@ -16,58 +17,28 @@ namespace {
 
 // Groups of the help text.
 constexpr const char* kLook = "Look";
-constexpr const char* kSequences = "Sequences";
 constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
 constexpr const char* kSynthesis = "Synthesis";
 
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
-  table.add(
-      {"--preset",
-       kLook,
-       "NAME",
-       "standard: the best we know; thesis, paper: their numbers\nand rules, whatever the "
-       "defaults; what else is given prevails\n(default standard; thesis §4.5, paper table 1)",
-       false,
-       [](CommandLine& line, const std::string& value) {
-         if (value == "thesis") {
-           applyThesisPreset(line.options);
-         } else if (value == "paper") {
-           applyPaperPreset(line.options);
-         } else if (value != "standard") {
-           throw UsageError(shown("--preset", value) + ": wanted standard, thesis or paper");
-         }
-       },
-       {"standard", "thesis", "paper"}});
-}
-
-void addSequences(Table& table) {
-  table.integer("--src-start", kSequences, "number of the exemplar's first frame", "",
-                ranges::kFrameNumbers, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.source.start; });
-  table.integer("--src-frames", kSequences, "frames of the exemplar, at most", "frames",
-                ranges::kFrameCounts, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.source.frames; });
-  table.integer(
-      "--src-speed", kSequences, "from number to number; negative plays backwards", "",
-      ranges::kSpeeds, "thesis §4.5", [](CommandLine& c) -> int& { return c.options.source.speed; },
-      false);
-  table.real("--src-scale", kSequences, "scaling of the exemplar and its masks", "",
-             ranges::kScales, "thesis §4.5",
-             [](CommandLine& c) -> double& { return c.options.source.scale; });
-  table.integer("--target-start", kSequences, "number of the animation's first frame", "",
-                ranges::kFrameNumbers, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.target.start; });
-  table.integer("--target-frames", kSequences, "frames to paint, at most", "frames",
-                ranges::kFrameCounts, "thesis §4.5",
-                [](CommandLine& c) -> int& { return c.options.target.frames; });
-  table.integer(
-      "--target-speed", kSequences, "from number to number; negative plays backwards", "",
-      ranges::kSpeeds, "thesis §4.5", [](CommandLine& c) -> int& { return c.options.target.speed; },
-      false);
-  table.real("--target-scale", kSequences, "scaling of the animation", "", ranges::kScales,
-             "thesis §4.5", [](CommandLine& c) -> double& { return c.options.target.scale; });
+  table.add({"--preset", kLook, "NAME",
+             "standard: the best we know; crisp: more detail; calm: less\nflicker, slower; thesis, "
+             "paper: their numbers and rules,\nwhatever the defaults; what else is given prevails\n"
+             "(default standard; thesis §4.5, paper table 1)",
+             false,
+             [](CommandLine& line, const std::string& value) {
+               const auto preset = findPreset(value);
+               if (!preset) {
+                 throw UsageError(shown("--preset", value) + ": " +
+                                  wantedWord(value, presetNames()));
+               }
+               preset->apply(line.options);
+               line.preset = value;
+             },
+             [](const CommandLine& line) { return std::optional<std::string>(line.preset); },
+             presetNames()});
 }
 
 void addMasksAndMotion(Table& table) {
@@ -98,6 +69,35 @@ void addMasksAndMotion(Table& table) {
                           [](CommandLine& c) -> MotionModel& { return c.options.motionModel; });
 }
 
+/// A number, or a rule that finds one.
+void addBorderWidth(Table& table) {
+  constexpr const char* kSizeWord = "size";
+  table.add(
+      {"--border-width", kGuides, "X",
+       "width of the border segment; auto: measured, where the film's\ncolours stop depending on "
+       "the distance to the edge\n(default size: " +
+           numberText(kBorderWidthShare) + " times the square root of the film frames'\narea; in " +
+           ranges::kWidthsPx.text() + " px; thesis §3.4: 10)",
+       false,
+       [](CommandLine& line, const std::string& value) {
+         line.options.borderWidthPx.reset();
+         line.options.borderWidthRule = BorderWidthRule::kBySize;
+         if (value == kSizeWord) return;
+         if (value == kAutomaticWord) {
+           line.options.borderWidthRule = BorderWidthRule::kMeasured;
+         } else {
+           line.options.borderWidthPx =
+               parseFloat("--border-width", value, ranges::kWidthsPx,
+                          std::string(", ") + kAutomaticWord + " or " + kSizeWord);
+         }
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const Options& options = line.options;
+         if (options.borderWidthPx) return numberText(*options.borderWidthPx);
+         return options.borderWidthRule == BorderWidthRule::kBySize ? kSizeWord : kAutomaticWord;
+       }});
+}
+
 void addGuides(Table& table) {
   table.real("--dist-weight", kGuides, "weight of the edge or shape guide", "", ranges::kWeights,
              "thesis §3.4",
@@ -111,10 +111,7 @@ void addGuides(Table& table) {
   table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
-  table.automatic("--border-width", kGuides, "width of the border segment",
-                  numberText(kBorderWidthShare) + " times the square root of the film frames' area",
-                  ranges::kWidthsPx, "thesis §3.4: 10",
-                  [](CommandLine& c) -> std::optional<float>& { return c.options.borderWidthPx; });
+  addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",
       {{"distance", ShapeGuide::kEdgeDistance}, {"blurred", ShapeGuide::kBlurredMask}},
@@ -150,10 +147,16 @@ void addGuides(Table& table) {
            numberText(bounds.upper) + " and " + numberText(bounds.lower) +
            " times the border width;\nin " + ranges::kModulationBoundsPx.text() +
            " px, m_u > m_l; thesis §3.7: 10,2)",
-       false, [](CommandLine& line, const std::string& value) {
+       false,
+       [](CommandLine& line, const std::string& value) {
          const FloatPair pair =
              parseDescendingPair("--prev-modulation-bounds", value, ranges::kModulationBoundsPx);
          line.options.synthesis.prevModulation = {pair.first, pair.second, ModulationUnit::kPixels};
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const ModulationBounds& b = line.options.synthesis.prevModulation;
+         if (b.unit != ModulationUnit::kPixels) return std::nullopt;
+         return numberText(b.upper) + "," + numberText(b.lower);
        }});
 }
 
@@ -234,8 +237,12 @@ void addSynthesis(Table& table) {
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                line.options.synthesis.seed = parseSeed("--seed", value);
+             },
+             [](const CommandLine& line) {
+               return std::optional<std::string>(std::to_string(line.options.synthesis.seed));
              }});
 }
 
@@ -250,15 +257,26 @@ void addRunning(Table& table) {
              "changes the clock only, never a byte\n(default OMP_NUM_THREADS, else "
              "SLURM_CPUS_PER_TASK,\nelse all processors; in " +
                  ranges::kThreads.text() + "; thesis §4.4.2)",
-             false, [](CommandLine& line, const std::string& value) {
+             false,
+             [](CommandLine& line, const std::string& value) {
                line.options.threads = parseInt("--threads", value, ranges::kThreads);
+               line.threadsAreGiven = true;
+             },
+             [](const CommandLine& line) -> std::optional<std::string> {
+               if (!line.threadsAreGiven) return std::nullopt;
+               return std::to_string(line.options.threads);
              }});
   table.add(
       {"--max-memory", kRunningGroup, "SIZE",
        "refuse to begin what may need more, e.g. 4G or 800M\n(default what the machine or its "
        "control group has; at least\n16M; not in the thesis)",
-       false, [](CommandLine& line, const std::string& value) {
+       false,
+       [](CommandLine& line, const std::string& value) {
          line.options.maxMemoryBytes = parseBytes("--max-memory", value, ranges::kLeastMemoryBytes);
+       },
+       [](const CommandLine& line) -> std::optional<std::string> {
+         const auto& bytes = line.options.maxMemoryBytes;
+         return bytes ? std::optional<std::string>(std::to_string(*bytes)) : std::nullopt;
        }});
   table.add(
       {"--progress", kRunningGroup, "NAME",
@@ -268,10 +286,14 @@ void addRunning(Table& table) {
        [](CommandLine& line, const std::string& value) {
          line.progress = parseWord("--progress", value, progressFormats());
        },
+       [](const CommandLine& line) {
+         return std::optional<std::string>(wordFor(progressFormats(), line.progress));
+       },
        namesOf(progressFormats())});
   table.add({"--quiet", kRunningGroup, "",
              "no progress and no notes; errors are still printed\n(default off)", false,
-             [](CommandLine& line, const std::string&) { line.quiet = true; }});
+             [](CommandLine& line, const std::string&) { line.quiet = true; },
+             [](const CommandLine& line) { return flagText(line.quiet); }});
 }
 
 }  // namespace
@@ -279,6 +301,7 @@ void addRunning(Table& table) {
 std::vector<Spec> optionTable() {
   Table table;
   addFiles(table);
+  addConfig(table);
   addLook(table);
   addSequences(table);
   addMasksAndMotion(table);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct Spec {
   std::string help;
   bool required = false;
   std::function<void(CommandLine&, const std::string& value)> apply;
+  /// The value as it would be given, "true" or "false" for a flag; nothing where it goes without
+  /// saying. Options that have no such function are for the command line alone: no config file
+  /// holds them.
+  std::function<std::optional<std::string>(const CommandLine&)> text{};
   std::vector<std::string> words = {};  ///< all values there are; empty where they are not words
 };
 

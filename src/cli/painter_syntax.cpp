@@ -11,7 +11,7 @@ CommandSyntax painterSyntax() {
   std::string description =
       "Paints an animation of masks with a filmed medium (\"Stylizing vector animation\").\n"
       "Distances are pixels of the scaled input. PATTERN is a path with one frame number, as\n"
-      "printf writes it: frames/%05d.png.\n\n"
+      "printf writes it: frames/%05d.png, the same as frames/#####.png, or a folder of frames.\n\n"
       "Other commands, each with a --help of its own:\n";
   for (const Subcommand& command : subcommands()) {
     description += "  fluidymation " + command.name + "  " + command.summary + "\n";

@@ -69,6 +69,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                             }
                           }};
   try {
+    for (const std::string& text : line.notes) progress.note(text);
     if (lines) lines->readingBegins();
     progress.readingBegins();
     engine(line.options, observer);
@@ -133,6 +134,8 @@ int runTool(int argc, const char* const* argv, const Streams& streams, const Eng
   } catch (const UsageError& error) {
     printError(streams, error.what());
     return kWrongUsage;
+  } catch (const Faults& faults) {
+    for (const std::string& line : faults.lines()) printError(streams, line);
   } catch (const Error& error) {
     printError(streams, error.what());
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -39,10 +40,11 @@ template <typename T>
 }
 
 template <typename T>
-[[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range) {
+[[nodiscard]] T parseReal(const std::string& option, const std::string& text, const Range& range,
+                          const std::string& others = "") {
   if (const std::optional<T> value = parseWithin<T>(text, range)) return *value;
   throw UsageError(shown(option, text) + ": " + (vanishes<T>(text) ? "is too near to 0; " : "") +
-                   "wanted a number in " + range.text());
+                   "wanted a number in " + range.text() + others);
 }
 
 [[nodiscard]] std::vector<std::string> splitAtCommas(const std::string& text) {
@@ -57,16 +59,38 @@ template <typename T>
   return parts;
 }
 
+/// "10-80", or "7" for "7-7".
+[[nodiscard]] std::optional<FrameNumbers> parseFirstAndLast(const std::string& text) {
+  // The hyphen between the numbers is the first one behind a digit.
+  const std::size_t hyphen = text.find('-', 1);
+  const auto first = parseWithin<int>(text.substr(0, hyphen), ranges::kFrameNumbers);
+  const auto last = hyphen == std::string::npos
+                        ? first
+                        : parseWithin<int>(text.substr(hyphen + 1), ranges::kFrameNumbers);
+  if (first && last) return FrameNumbers{*first, *last};
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string listText(const std::vector<int>& values) {
   std::string text;
-  for (const int value : values) text += (text.empty() ? "" : ",") + std::to_string(value);
+  for (const int value : values) {
+    if (!text.empty()) text += ',';
+    text += std::to_string(value);
+  }
   return text;
 }
 
-float parseFloat(const std::string& option, const std::string& text, const Range& range) {
-  return parseReal<float>(option, text, range);
+float parseFloat(const std::string& option, const std::string& text, const Range& range,
+                 const std::string& others) {
+  return parseReal<float>(option, text, range, others);
+}
+
+std::optional<float> parseAutomatic(const std::string& option, const std::string& text,
+                                    const Range& range) {
+  if (text == kAutomaticWord) return std::nullopt;
+  return parseFloat(option, text, range, std::string(" or ") + kAutomaticWord);
 }
 
 double parseDouble(const std::string& option, const std::string& text, const Range& range) {
@@ -139,14 +163,39 @@ FloatPair parseDescendingPair(const std::string& option, const std::string& text
 }
 
 FrameNumbers parseFrameNumbers(const std::string& option, const std::string& text) {
-  // The hyphen between the numbers is the first one behind a digit.
-  const std::size_t hyphen = text.find('-', 1);
-  const auto first = parseWithin<int>(text.substr(0, hyphen), ranges::kFrameNumbers);
-  const auto last = hyphen == std::string::npos
-                        ? first
-                        : parseWithin<int>(text.substr(hyphen + 1), ranges::kFrameNumbers);
-  if (first && last) return {*first, *last};
+  if (const auto numbers = parseFirstAndLast(text)) return *numbers;
   throw UsageError(shown(option, text) + ": wanted two frame numbers, e.g. 10-80");
+}
+
+FrameRange parseFrameRange(const std::string& option, const std::string& text) {
+  constexpr Range kSteps{1, ranges::kSpeeds.high};
+  const std::size_t cross = text.find('x');
+  const auto numbers = parseFirstAndLast(text.substr(0, cross));
+  const auto step = cross == std::string::npos ? std::optional<int>(1)
+                                               : parseWithin<int>(text.substr(cross + 1), kSteps);
+  if (!numbers || !step) {
+    throw UsageError(shown(option, text) +
+                     ": wanted two frame numbers and a step from 1 up, e.g. " +
+                     "10-80x2, or without x2");
+  }
+  const std::int64_t distance = std::int64_t{numbers->last} - numbers->first;
+  const std::int64_t frames = std::abs(distance) / *step + 1;
+  if (!ranges::kFrameCounts.contains(static_cast<double>(frames))) {
+    throw UsageError(shown(option, text) + ": " + std::to_string(frames) +
+                     " frames; wanted a number in " + ranges::kFrameCounts.text());
+  }
+  return {numbers->first, static_cast<int>(frames), distance < 0 ? -*step : *step};
+}
+
+std::string frameRangeText(const FrameRange& range) {
+  const std::int64_t last = range.first + (std::int64_t{range.frames} - 1) * range.step;
+  const int step = std::abs(range.step);
+  std::string text = std::to_string(range.first);
+  text += '-';
+  text += std::to_string(last);
+  if (step == 1) return text;
+  text += 'x';
+  return text + std::to_string(step);
 }
 
 std::string shown(const std::string& option, const std::string& text) {

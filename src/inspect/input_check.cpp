@@ -19,13 +19,16 @@ namespace fluidymation {
 namespace {
 
 /// Collects what goes wrong, each message once.
-class Faults {
+class FaultList {
  public:
   /// @return  whether `attempt` threw no Error.
   bool none(const std::function<void()>& attempt) {
     try {
       attempt();
       return true;
+    } catch (const Faults& found) {
+      for (const std::string& line : found.lines()) add(line);
+      return false;
     } catch (const Error& error) {
       add(error.what());
       return false;
@@ -72,7 +75,7 @@ FrameFiles existing(const FramePattern& pattern, const SequenceOptions& sequence
 
 /// The files of a sequence; where some are missing, the others.
 FrameFiles find(const std::string& path, const SequenceOptions& sequence, const std::string& option,
-                Faults& faults) {
+                FaultList& faults) {
   const FramePattern pattern(path);
   FrameFiles files;
   if (faults.none([&] { files = findFrames(pattern, sequence, option); })) return files;
@@ -83,7 +86,7 @@ FrameFiles find(const std::string& path, const SequenceOptions& sequence, const 
 
 CheckedInputs checkInputs(const Options& options, const std::function<void()>& beforeFile) {
   CheckedInputs checked;
-  Faults faults;
+  FaultList faults;
   const auto decodeAll = [&](const FrameFiles& files, const auto& decode) {
     for (const std::string& path : files.paths) {
       beforeFile();

@@ -56,6 +56,28 @@ struct Conversion {
   return conversion;
 }
 
+/// Whether some '%' of `text` is more than a percent sign.
+[[nodiscard]] bool hasConversion(const std::string& text) {
+  for (std::size_t i = text.find('%'); i != std::string::npos; i = text.find('%', i)) {
+    const Conversion conversion = parseConversion(text, i);
+    if (!conversion.literalPercent) return true;
+    i += conversion.length;
+  }
+  return false;
+}
+
+/// "###", as "%03d" would be; only in a file's name.
+[[nodiscard]] Conversion parseHashes(const std::string& text, std::size_t begin) {
+  Conversion conversion;
+  conversion.zeroPadded = true;
+  conversion.length = std::min(text.find_first_not_of('#', begin), text.size()) - begin;
+  if (conversion.length > static_cast<std::size_t>(kLargestWidth)) {
+    refuse(text, "more than " + std::to_string(kLargestWidth) + " # in a row");
+  }
+  conversion.width = static_cast<int>(conversion.length);
+  return conversion;
+}
+
 }  // namespace
 
 FramePattern::FramePattern(const std::string& text) : text_(text) {
@@ -66,14 +88,17 @@ FramePattern::FramePattern(const std::string& text) : text_(text) {
   if (std::any_of(text.begin(), text.end(), isControl)) {
     refuse(text, "contains a line break or another control character");
   }
+  const std::size_t nameBegin = text.rfind('/') + 1;  // npos + 1 is 0
+  const std::size_t hashesFrom = hasConversion(text) ? text.size() : nameBegin;
   bool found = false;
   for (std::size_t i = 0; i < text.size();) {
     std::string& part = found ? tail_ : head_;
-    if (text[i] != '%') {
+    const bool hashes = text[i] == '#' && i >= hashesFrom;
+    if (text[i] != '%' && !hashes) {
       part += text[i++];
       continue;
     }
-    const Conversion conversion = parseConversion(text, i);
+    const Conversion conversion = hashes ? parseHashes(text, i) : parseConversion(text, i);
     i += conversion.length;
     if (conversion.literalPercent) {
       part += '%';

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/text.h"
@@ -14,6 +16,7 @@ namespace fluidymation {
 namespace {
 
 constexpr std::size_t kLongestList = 160;  // bytes of a list of missing frames
+constexpr int kMostFilesNamed = 10;        // of a sequence, each in a line of its own
 
 /// Number of the sequence's frame i, wide enough for any i.
 [[nodiscard]] std::int64_t numberAt(const SequenceOptions& sequence, std::int64_t i) {
@@ -52,19 +55,36 @@ void checkNumbers(const SequenceOptions& sequence, const std::string& optionName
 }
 
 /// Numbers of all files of the pattern, ascending.
-[[nodiscard]] std::vector<int> listNumbers(const FramePattern& pattern,
-                                           const SequenceOptions& sequence) {
+[[nodiscard]] std::vector<int> numbersIn(const FramePattern& pattern, std::error_code& failure) {
   std::vector<int> numbers;
-  std::error_code failure;
   std::filesystem::directory_iterator entry(pattern.folder(), failure);
   for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
     if (const auto number = pattern.numberOf(entry->path().filename().string())) {
       numbers.push_back(*number);
     }
   }
-  if (failure) failAtFirst(pattern, sequence, failure.message());
   std::sort(numbers.begin(), numbers.end());
   return numbers;
+}
+
+/// The same. @throws Error where the folder cannot be read.
+[[nodiscard]] std::vector<int> listNumbers(const FramePattern& pattern,
+                                           const SequenceOptions& sequence) {
+  std::error_code failure;
+  std::vector<int> numbers = numbersIn(pattern, failure);
+  if (failure) failAtFirst(pattern, sequence, failure.message());
+  return numbers;
+}
+
+/// The same for files that go with others; here it is a fault that there is none.
+[[nodiscard]] std::vector<int> listCompanions(const FramePattern& pattern,
+                                              const std::string& optionName) {
+  std::error_code failure;
+  std::vector<int> numbers = numbersIn(pattern, failure);
+  if (!failure && !numbers.empty()) return numbers;
+  throw Error(optionName + " " + pattern.text() + ": there is no file of this pattern" +
+              (failure ? " (" + pattern.folder() + ": " + failure.message() + ")" : "") +
+              "; wanted one for every frame of " + optionPrefix(optionName) + "-path");
 }
 
 /// Ascending i >= 0 of all files that the sequence would meet if it never ended.
@@ -121,8 +141,29 @@ class FrameList {
     if (i >= end) break;
     expected = i + 1;
   }
+  if (!indices.empty() && end > indices.back() + 1) holes.add(indices.back() + 1, end);
   return holes;
 }
+
+/// What is wrong with files of a sequence, one line each, and how many are left unnamed.
+class FaultyFiles {
+ public:
+  void add(const std::string& fault) {
+    if (++count_ <= kMostFilesNamed) lines_.push_back(fault);
+  }
+
+  /// @throws Faults where there are some.
+  void throwIfAny() {
+    if (count_ == 0) return;
+    const int unnamed = count_ - kMostFilesNamed;
+    if (unnamed > 0) lines_.back() += "; " + std::to_string(unnamed) + " more files have faults";
+    throw Faults(std::move(lines_));
+  }
+
+ private:
+  std::vector<std::string> lines_;
+  int count_ = 0;
+};
 
 /// "frames 1 to 3 are used"
 [[nodiscard]] std::string used(const std::vector<int>& numbers) {
@@ -148,12 +189,13 @@ FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequen
     failAtFirst(pattern, sequence, "No such file or directory", wayOut);
   }
 
-  const std::int64_t end = std::min(frames, indices.back() + 1);
+  const std::int64_t end = sequence.complete ? frames : std::min(frames, indices.back() + 1);
   const FrameList holes = findHoles(indices, end, sequence);
   if (holes.count() > 0) {
     throw Error(optionName + " " + pattern.text() + ": " + std::to_string(holes.count()) +
-                (holes.count() == 1 ? " frame is" : " frames are") +
-                " missing although later ones exist: " + holes.text() + "; " + askedFor(sequence));
+                (holes.count() == 1 ? " frame is" : " frames are") + " missing" +
+                (indices.back() + 1 < end ? ": " : " although later ones exist: ") + holes.text() +
+                "; " + askedFor(sequence));
   }
 
   FrameFiles files;
@@ -178,7 +220,7 @@ FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequen
 FrameFiles findCompanions(const FramePattern& pattern, const FrameFiles& frames,
                           const SequenceOptions& sequence, const std::string& optionName,
                           int dispensable) {
-  const std::vector<int> present = listNumbers(pattern, sequence);
+  const std::vector<int> present = listCompanions(pattern, optionName);
   FrameFiles files;
   FrameList missing(sequence);
   std::int64_t missingSince = -1;
@@ -205,15 +247,43 @@ FrameFiles findCompanions(const FramePattern& pattern, const FrameFiles& frames,
 }
 
 Size commonSize(const FrameFiles& files) {
-  Size first;
-  for (std::size_t i = 0; i < files.paths.size(); ++i) {
-    const Size size = readPngSize(files.paths[i]);
-    if (i == 0) first = size;
-    if (size == first) continue;
-    throw Error(files.paths[i] + ": size " + sizeText(size) + ", but " + files.paths.front() +
-                " is " + sizeText(first) + "; all frames of a sequence must have one size");
+  std::optional<Size> first;
+  std::string firstPath;
+  FaultyFiles faulty;
+  for (const std::string& path : files.paths) {
+    try {
+      const Size size = readPngSize(path);
+      if (!first) {
+        first = size;
+        firstPath = path;
+      }
+      if (size == *first) continue;
+      faulty.add(path + ": size " + sizeText(size) + ", but " + firstPath + " is " +
+                 sizeText(*first) + "; all frames of a sequence must have one size");
+    } catch (const Error& error) {
+      faulty.add(error.what());
+    }
   }
-  return first;
+  faulty.throwIfAny();
+  return *first;
+}
+
+void requireSize(const FrameFiles& files, const FrameFiles& frames, Size wanted,
+                 const std::function<Size(const std::string&)>& sizeOf) {
+  FaultyFiles faulty;
+  for (std::size_t i = 0; i < files.paths.size(); ++i) {
+    const std::string& path = files.paths[i];
+    if (path.empty()) continue;
+    try {
+      const Size size = sizeOf(path);
+      if (size == wanted) continue;
+      faulty.add(path + ": size " + sizeText(size) + ", but " + frames.paths[i] + " is " +
+                 sizeText(wanted) + "; a flow and its masks must agree");
+    } catch (const Error& error) {
+      faulty.add(error.what());
+    }
+  }
+  faulty.throwIfAny();
 }
 
 void requireMasksOfSameSize(const FrameFiles& exemplar, const FrameFiles& masks) {

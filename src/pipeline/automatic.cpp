@@ -28,4 +28,11 @@ float automaticBorderWidthPx(Size exemplar) {
   return std::max(1.0F, tenths(static_cast<double>(kBorderWidthShare) * side));
 }
 
+float boundedBorderWidthPx(std::optional<float> measuredPx, Size exemplar) {
+  const float bySize = automaticBorderWidthPx(exemplar);
+  if (!measuredPx) return bySize;
+  return tenths(static_cast<double>(
+      std::clamp(*measuredPx, kLeastMeasuredShare * bySize, kMostMeasuredShare * bySize)));
+}
+
 }  // namespace fluidymation

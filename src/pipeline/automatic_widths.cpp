@@ -1,21 +1,26 @@
 #include "pipeline/automatic_widths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "fluidymation/automatic.h"
+#include "fluidymation/core/color.h"
+#include "fluidymation/guides/mask.h"
+#include "fluidymation/guides/rim_profile.h"
 #include "fluidymation/option_ranges.h"
 
 namespace fluidymation {
 namespace {
 
+constexpr int kFramesLookedAt = 24;
+
 /// The mean-area rule's sigma for a sequence of masks. Looks at no more than kFramesLookedAt of
 /// them, evenly spread: they are decoded once more for it.
 float automaticSigma(const InputSequence& masks, MaskChannel channel,
                      const std::function<void()>& beforeFrame) {
-  constexpr int kFramesLookedAt = 24;
   const int count = masks.files.count();
   const int looks = std::min(count, kFramesLookedAt);
   std::vector<double> areas;
@@ -26,6 +31,24 @@ float automaticSigma(const InputSequence& masks, MaskChannel channel,
     areas.push_back(std::accumulate(coverage.begin(), coverage.end(), 0.0));
   }
   return automaticBlurSigmaPx(areas);
+}
+
+/// How wide the rim of the film's medium is, from kFramesLookedAt frames at most.
+float measuredBorderWidth(const Inputs& inputs, MaskChannel channel, const MaskOptions& smoothing,
+                          const std::function<void()>& beforeFrame) {
+  const float bySize = automaticBorderWidthPx(inputs.color.scaled);
+  // Half the width: the profile has settled where it stays so over a part of a border.
+  const int stepPx = std::max(1, static_cast<int>(std::lround(kLeastMeasuredShare * bySize)));
+  RimProfile profile(static_cast<int>(std::ceil(kMostMeasuredShare * bySize)) + stepPx);
+  const int count = inputs.color.files.count();
+  const int looks = std::min(count, kFramesLookedAt);
+  for (int i = 0; i < looks; ++i) {
+    beforeFrame();
+    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
+    const Mask mask = smoothMask(readMask(inputs.sourceMask, channel, frame).cut(), smoothing);
+    profile.add(toLab(readPicture(inputs.color, frame)), mask);
+  }
+  return boundedBorderWidthPx(profile.widthPx(stepPx), inputs.color.scaled);
 }
 
 }  // namespace
@@ -40,7 +63,12 @@ void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskCh
   if (!options.blurSigmaPx) {
     options.blurSigmaPx = automaticSigma(inputs.sourceMask, sourceChannel, beforeFrame);
   }
-  if (!options.borderWidthPx) options.borderWidthPx = automaticBorderWidthPx(inputs.color.scaled);
+  if (options.borderWidthPx) return;
+  options.borderWidthPx =
+      options.borderWidthRule == BorderWidthRule::kBySize
+          ? automaticBorderWidthPx(inputs.color.scaled)
+          : measuredBorderWidth(inputs, sourceChannel,
+                                {*options.blurSigmaPx, options.maskThreshold}, beforeFrame);
 }
 
 std::string chosenWidths(const Options& given, const Options& found) {

@@ -9,7 +9,8 @@
 namespace fluidymation {
 
 /// Gives a value to every width that the user has left open (see automatic.h): mask smoothing of
-/// exemplar and target from the areas of their masks, the border width from the exemplar's size.
+/// exemplar and target from the areas of their masks, the border width from the exemplar's size or,
+/// where that is wanted, from its colours.
 /// @param beforeFrame  called before each mask that is looked at; may throw to stop.
 void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskChannel targetChannel,
                          const std::function<void()>& beforeFrame, Options& options);

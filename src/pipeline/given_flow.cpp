@@ -6,7 +6,6 @@
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/core/resize.h"
-#include "fluidymation/core/text.h"
 #include "fluidymation/io/flow_file.h"
 
 namespace fluidymation {
@@ -22,13 +21,7 @@ FlowSequence openFlowSequence(const std::string& path, const std::string& option
   if (frameCount > 1) dispensable = flow.seenOnFrame ? 0 : frameCount - 1;
   flow.files = findCompanions(FramePattern(path), masks.files, sequence, option, dispensable);
   flow.identities = identitiesOf(flow.files);
-  for (std::size_t i = 0; i < flow.files.paths.size(); ++i) {
-    if (flow.files.paths[i].empty()) continue;
-    const Size size = readFlowSize(flow.files.paths[i]);
-    if (size == masks.stored) continue;
-    throw Error(flow.files.paths[i] + ": size " + sizeText(size) + ", but " + masks.files.paths[i] +
-                " is " + sizeText(masks.stored) + "; a flow and its masks must agree");
-  }
+  requireSize(flow.files, masks.files, masks.stored, readFlowSize);
   flow.stored = masks.stored;
   flow.scaled = masks.scaled;
   flow.factor = static_cast<float>(sequence.speed * sequence.scale);

@@ -31,6 +31,44 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   return input;
 }
 
+/// Faults of the inputs, gathered so that the user sees all of them at once.
+class FaultList {
+ public:
+  /// @return  whether `step` was done; what is wrong with the options still ends everything.
+  bool did(const std::function<void()>& step) {
+    try {
+      step();
+      return true;
+    } catch (const UsageError&) {
+      throw;
+    } catch (const Faults& faults) {
+      lines_.insert(lines_.end(), faults.lines().begin(), faults.lines().end());
+    } catch (const Error& error) {
+      lines_.emplace_back(error.what());
+    }
+    return false;
+  }
+
+  /// @throws Faults where there are some.
+  void throwIfAny() const {
+    if (!lines_.empty()) throw Faults(lines_);
+  }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+void requireMasksFit(const Options& options, const Inputs& inputs) {
+  const FrameFiles& color = inputs.color.files;
+  const FrameFiles& mask = inputs.sourceMask.files;
+  if (color.count() != mask.count()) {
+    throw Error("--src-mask-path " + options.sourceMaskPath + ": " + std::to_string(mask.count()) +
+                " frames, but --src-path " + options.source.path + " has " +
+                std::to_string(color.count()) + "; an exemplar and its masks must agree");
+  }
+  requireMasksOfSameSize(color, mask);
+}
+
 /// The masks of the exemplar have the size of its pictures.
 Size largestStored(const Inputs& inputs) {
   const auto area = [](Size size) { return std::int64_t{size.width} * size.height; };
@@ -43,27 +81,32 @@ Size largestStored(const Inputs& inputs) {
 
 Inputs openInputs(const Options& options, const Observer& observer) {
   Inputs inputs;
-  inputs.color = openSequence(options.source.path, options.source, "--src-path", observer);
-  inputs.sourceMask =
-      openSequence(options.sourceMaskPath, options.source, "--src-mask-path", Observer{});
-  inputs.target = openSequence(options.target.path, options.target, "--target-path", observer);
-
-  const FrameFiles& color = inputs.color.files;
-  const FrameFiles& mask = inputs.sourceMask.files;
-  if (color.count() != mask.count()) {
-    throw Error("--src-mask-path " + options.sourceMaskPath + ": " + std::to_string(mask.count()) +
-                " frames, but --src-path " + options.source.path + " has " +
-                std::to_string(color.count()) + "; an exemplar and its masks must agree");
+  FaultList faults;
+  const bool film = faults.did([&] {
+    inputs.color = openSequence(options.source.path, options.source, "--src-path", observer);
+  });
+  const bool filmMasks = faults.did([&] {
+    inputs.sourceMask =
+        openSequence(options.sourceMaskPath, options.source, "--src-mask-path", Observer{});
+  });
+  const bool target = faults.did([&] {
+    inputs.target = openSequence(options.target.path, options.target, "--target-path", observer);
+  });
+  if (film && filmMasks) faults.did([&] { requireMasksFit(options, inputs); });
+  if (options.sourceFlowPath && filmMasks) {
+    faults.did([&] {
+      inputs.sourceFlow =
+          openFlowSequence(*options.sourceFlowPath, "--src-flow-path", options.flowConvention,
+                           options.source, inputs.sourceMask);
+    });
   }
-  requireMasksOfSameSize(color, mask);
-  if (options.sourceFlowPath) {
-    inputs.sourceFlow = openFlowSequence(*options.sourceFlowPath, "--src-flow-path",
-                                         options.flowConvention, options.source, inputs.sourceMask);
+  if (options.targetFlowPath && target) {
+    faults.did([&] {
+      inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
+                                           options.flowConvention, options.target, inputs.target);
+    });
   }
-  if (options.targetFlowPath) {
-    inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
-                                         options.flowConvention, options.target, inputs.target);
-  }
+  faults.throwIfAny();
   requireMemory(options, sizeOfRun(options, inputs));  // in any case, whatever the masks hold
   return inputs;
 }

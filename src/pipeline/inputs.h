@@ -48,7 +48,8 @@ struct Inputs {
 };
 
 /// Finds all files, reads all headers, and checks that they fit together and into memory.
-/// @throws Error, UsageError naming file or option.
+/// @throws Faults, one for each gap, file and size that is wrong in any of the sequences;
+/// UsageError naming the option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
 
 /// Of all files, by their order; nothing of those that need not be there. @throws Error.

@@ -169,6 +169,11 @@ void validate(const Options& options) {
                        std::to_string(part->last) + "-" + std::to_string(part->first));
     }
   }
+  if (options.continuation.existing == ExistingFrames::kKeep &&
+      (options.continuation.resume || options.continuation.restart)) {
+    throw UsageError(
+        "--skip-existing: not wanted with --resume or --restart, which know what is painted");
+  }
   if (options.continuation.checkpointEvery) {
     check("--checkpoint-every", *options.continuation.checkpointEvery, ranges::kCheckpointFrames);
   }

@@ -21,6 +21,7 @@
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
+#include "pipeline/existing_frames.h"
 #include "pipeline/flow_note.h"
 #include "pipeline/frame_line.h"
 #include "pipeline/frame_painter.h"
@@ -56,10 +57,11 @@ void tellOfFlow(const Observer& observer, const std::string& option, int frameNu
 /// @throws Error when no mask of the exemplar holds any material.
 void requireMaterial(const Options& options, const GuideStream& guides) {
   if (guides.anyInside()) return;
-  throw Error("--src-mask-path " + options.sourceMaskPath + ": all " +
-              std::to_string(guides.frameCount()) +
-              " masks are empty after smoothing with --blur-sigma; wanted some material, so "
-              "check the masks or lower --blur-sigma");
+  throw Error(
+      "--src-mask-path " + options.sourceMaskPath + ": all " + std::to_string(guides.frameCount()) +
+      " masks are empty after smoothing with --blur-sigma " + numberText(*options.blurSigmaPx) +
+      ", given, found or set by --preset; wanted some material, so check the masks or "
+      "lower --blur-sigma");
 }
 
 /// Says so when nothing of the target is going to be painted.
@@ -152,6 +154,10 @@ void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
 }  // namespace
 
 void stylize(const Options& given, const Observer& observer) {
+  if (given.continuation.existing == ExistingFrames::kKeep) {
+    for (const Options& run : runsForMissingFrames(given, observer)) stylize(run, observer);
+    return;
+  }
   validate(given);
   const ThreadShares shares = shareThreads(given.threads);
   const ThreadCount threads(given.threads, shares.beside());
@@ -178,6 +184,7 @@ void stylize(const Options& given, const Observer& observer) {
   StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
   tell(observer, start.note);
   if (start.span.begin == start.span.end) return;
+  requireOwnFrames(options.continuation, run, start.span, stopIfWanted);
   const auto countWritten = [&](int j) {  // all before frame j
     stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
   };

@@ -1,6 +1,25 @@
 #include "fluidymation/presets.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace fluidymation {
+
+void applyStandardPreset(Options& options) {
+  const Options standard;
+  options.blurSigmaPx = standard.blurSigmaPx;
+  options.targetBlurSigmaPx = standard.targetBlurSigmaPx;
+  options.maskThreshold = standard.maskThreshold;
+  options.borderWidthPx = standard.borderWidthPx;
+  options.borderWidthRule = standard.borderWidthRule;
+  options.timeBlurSigmaFrames = standard.timeBlurSigmaFrames;
+  options.flowBlurSigmaFrames = standard.flowBlurSigmaFrames;
+  options.motionModel = standard.motionModel;
+  options.newMaterial = standard.newMaterial;
+  const std::uint64_t seed = options.synthesis.seed;
+  options.synthesis = standard.synthesis;
+  options.synthesis.seed = seed;
+}
 
 void applyThesisPreset(Options& options) {
   options.blurSigmaPx = 8.0F;
@@ -49,6 +68,41 @@ void applyPaperPreset(Options& options) {
   synthesis.occRadiusFrames = 5;
   synthesis.shape = {ShapeGuide::kBlurredMask, false, ModulationDistance::kUnclamped};
   synthesis.prevModulation = {0.1F, 0.01F, ModulationUnit::kTargetSides};
+}
+
+void applyCrispPreset(Options& options) {
+  applyStandardPreset(options);
+  // A window's own pixel alone: narrower changes nothing any more.
+  options.synthesis.paintedVote.sigmaPx = 0.25F;
+  options.synthesis.coherenceWeight = 32.0F;
+}
+
+void applyCalmPreset(Options& options) {
+  applyStandardPreset(options);
+  options.synthesis.paintedVote.sigmaPx = 0.5F;
+  options.synthesis.temporalCoherence = TemporalCoherence::kBidirectional;
+}
+
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> all = {{"standard", applyStandardPreset},
+                                          {"crisp", applyCrispPreset},
+                                          {"calm", applyCalmPreset},
+                                          {"thesis", applyThesisPreset},
+                                          {"paper", applyPaperPreset}};
+  return all;
+}
+
+std::optional<Preset> findPreset(const std::string& name) {
+  for (const Preset& preset : presets()) {
+    if (name == preset.name) return preset;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> presetNames() {
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  return names;
 }
 
 }  // namespace fluidymation

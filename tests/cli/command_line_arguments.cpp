@@ -28,6 +28,16 @@ std::string complaint(const Arguments& arguments) {
 const std::vector<Reaching>& reachingOptions() {
   using C = const CommandLine&;
   static const std::vector<Reaching> options = {
+      {"--src-range", "10-80x2",
+       [](C c) {
+         const SequenceOptions& s = c.options.source;
+         return s.start == 10 && s.frames == 36 && s.speed == 2 && s.complete;
+       }},
+      {"--target-range", "-3--7",
+       [](C c) {
+         const SequenceOptions& s = c.options.target;
+         return s.start == -3 && s.frames == 5 && s.speed == -1 && s.complete;
+       }},
       {"--src-start", "-3", [](C c) { return c.options.source.start == -3; }},
       {"--src-frames", "7", [](C c) { return c.options.source.frames == 7; }},
       {"--src-speed", "-1", [](C c) { return c.options.source.speed == -1; }},
@@ -60,6 +70,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--patchmatch-alpha", "0.5",
        [](C c) { return c.options.synthesis.patchmatchAlpha == 0.5F; }},
       {"--border-width", "30", [](C c) { return c.options.borderWidthPx == 30.0F; }},
+      {"--border-width", "auto",
+       [](C c) { return c.options.borderWidthRule == BorderWidthRule::kMeasured; }},
       {"--prev-modulation-bounds", "7.5,0",
        [](C c) {
          const ModulationBounds& bounds = c.options.synthesis.prevModulation;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command_line_arguments.h"
+#include "pipeline/option_texts.h"
 
 namespace fluidymation::cli {
 namespace {
@@ -109,6 +110,20 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.paintedVote.sigmaPx, 0.0F);
   EXPECT_EQ(s.paintedVote.interpolation, Interpolation::kBilinear);
   EXPECT_EQ(s.optIterations, (List{4, 3, 2}));
+}
+
+TEST(CommandLine, LooksChangeTheStandardOneAndNothingElse) {
+  const Options standard = parse(kRequired).options;
+  Options crisp = parse(complete({"--preset", "crisp"})).options;
+  EXPECT_LT(crisp.synthesis.paintedVote.sigmaPx, standard.synthesis.paintedVote.sigmaPx);
+  EXPECT_GT(crisp.synthesis.coherenceWeight, standard.synthesis.coherenceWeight);
+  crisp.synthesis.paintedVote.sigmaPx = standard.synthesis.paintedVote.sigmaPx;
+  crisp.synthesis.coherenceWeight = standard.synthesis.coherenceWeight;
+  EXPECT_EQ(shapingOptions(crisp), shapingOptions(standard));
+  Options calm = parse(complete({"--preset", "calm", "--vote-sigma", "0.35"})).options;
+  EXPECT_EQ(calm.synthesis.temporalCoherence, TemporalCoherence::kBidirectional);
+  calm.synthesis.temporalCoherence = TemporalCoherence::kForward;
+  EXPECT_EQ(shapingOptions(calm), shapingOptions(standard));
 }
 
 TEST(CommandLine, OtherOptionsChangeThePaperPreset) {

@@ -31,6 +31,12 @@ TEST(CommandLine, EveryOptionReachesTheOptions) {
   EXPECT_FALSE(defaults.quiet);
   EXPECT_TRUE(parse(complete({"--resume"})).options.continuation.resume);
   EXPECT_TRUE(parse(complete({"--restart"})).options.continuation.restart);
+  EXPECT_EQ(parse(complete({"--overwrite"})).options.continuation.existing,
+            ExistingFrames::kReplace);
+  EXPECT_EQ(parse(complete({"--skip-existing"})).options.continuation.existing,
+            ExistingFrames::kKeep);
+  EXPECT_EQ(complaint(complete({"--skip-existing", "--overwrite"})),
+            "--overwrite, --skip-existing: wanted one of them at most");
   EXPECT_TRUE(parse(complete({"--keep-states"})).options.continuation.keepStates);
   EXPECT_EQ(parse({"--verify", "m.json"}).manifest, "m.json");
 }
@@ -56,17 +62,25 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
   const std::string wantedFrames = ": wanted a whole number in [1, 1000000]";
   const std::string wantedSpeed = ": wanted a whole number in [-1000000, 1000000] other than 0";
   const std::string wantedScale = ": wanted a number in (0, 16]";
-  const std::string wantedSigma = ": wanted a number in [0, 1000]";
+  const std::string wantedSigma = ": wanted a number in [0, 1000] or auto";
   const std::string wantedTimeSigma = ": wanted a number in [0, 50]";
   const std::string wantedWeight = ": wanted a number in [0, 1000000]";
   const std::string wantedAlpha = ": wanted a number in (0, 0.99]";
-  const std::string wantedWidth = ": wanted a number in [0.1, 10000]";
+  const std::string wantedWidth = ": wanted a number in [0.1, 10000], auto or size";
+  const std::string wantedRange =
+      ": wanted two frame numbers and a step from 1 up, e.g. 10-80x2, or without x2";
   const struct {
     const char* option;
     std::string value;
     std::string wanted;
   } cases[] = {
-      {"--preset", "Paper", ": wanted standard, thesis or paper"},
+      {"--preset", "Paper", ": wanted standard, crisp, calm, thesis or paper; did you mean paper?"},
+      {"--new-material", "flesh", ": wanted auto, fresh or plain; did you mean fresh?"},
+      {"--src-range", "10-80x0", wantedRange},
+      {"--src-range", "10-80x", wantedRange},
+      {"--target-range", "10-", wantedRange},
+      {"--target-range", "x2", wantedRange},
+      {"--target-range", "1-2000000", ": 2000000 frames; wanted a number in [1, 1000000]"},
       {"--shape-guide", "edge", ": wanted distance or blurred"},
       {"--segments", "1", ": wanted hard or none"},
       {"--search", "all", ": wanted focused or everywhere"},

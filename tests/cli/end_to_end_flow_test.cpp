@@ -175,9 +175,10 @@ TEST_F(EndToEndFlow, FaultyFilesAreNamedBeforeAnythingIsWritten) {
                 "--target-flow-path tf/%05d.flo: 1 frame is missing: 3; wanted one file for every "
                 "frame of --target-path but the first");
   scene_.remove("tf");
-  expectRefused(scene_, kGiven, 1,
-                "tf/00001.flo: cannot be opened (No such file or directory); frames 1 to 50 in "
-                "steps of 1 were asked for");
+  expectRefused(
+      scene_, kGiven, 1,
+      "--target-flow-path tf/%05d.flo: there is no file of this pattern (tf: No such file "
+      "or directory); wanted one for every frame of --target-path");
 }
 
 TEST_F(EndToEndFlow, OtherSpeedsAreWrongUsage) {

@@ -11,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(EndToEndOutput, OlderFramesAreReplaced) {
+TEST(EndToEndOutput, OlderFramesAreReplacedWhereThatIsWanted) {
   const SmallScene scene;
   const SmallScene::Painting expected = scene.painting();
   for (const std::string& name : kFourFrames) scene.write("out/" + name, bytesOf("older"));
   scene.write("out/00005.png", bytesOf("not ours"));
-  EXPECT_EQ(scene.paint().exitCode, 0);
+  EXPECT_EQ(scene.paint({{"--overwrite", ""}}).exitCode, 0);
   SmallScene::Painting after = filesOf(scene.file("out"));
   EXPECT_TRUE(after["00005.png"] == bytesOf("not ours"));
   after.erase("00005.png");
@@ -112,7 +112,7 @@ TEST(EndToEndOutput, AFullDiskLeavesWholeFramesOnly) {
   ProcessSetup setup;
   setup.largestFileBytes = 300;
   EXPECT_TRUE(failedWith(1, "out/00003.png: cannot be written (File too large)",
-                         scene.paint(quietly({}), setup)));
+                         scene.paint(quietly({{"--overwrite", ""}}), setup)));
   const SmallScene::Painting left = filesOf(scene.file("out"));
   ASSERT_EQ(left.size(), 3U);
   EXPECT_TRUE(left.at("00001.png") == expected.at("00001.png"));

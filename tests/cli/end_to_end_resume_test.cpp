@@ -269,8 +269,8 @@ TEST_F(Resume, AFrameIsMendedWhereStatesAreKept) {
   EXPECT_EQ(states().size(), std::size_t{kFrames - 1});
   scene_.remove(SmallScene::frame("out", 4));
   scene_.write(SmallScene::frame("out", 3), bytesOf("scratched"));
-  const ProcessResult result =
-      scene_.paint(everyFrame({{"--render-frames", "3-4"}, {"--threads", "2"}}));
+  const ProcessResult result = scene_.paint(
+      everyFrame({{"--render-frames", "3-4"}, {"--threads", "2"}, {"--overwrite", ""}}));
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_NE(
       result.err.find("note: going on after the state of frame 2\nfluidymation: note: memory: "),

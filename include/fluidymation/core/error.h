@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fluidymation {
 
@@ -10,6 +12,25 @@ namespace fluidymation {
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Several faults found together; the text of each is one line.
+class Faults : public Error {
+ public:
+  /// @param lines  at least one.
+  explicit Faults(std::vector<std::string> lines)
+      : Error(joined(lines)), lines_(std::move(lines)) {}
+
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  static std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+    return text;
+  }
+
+  std::vector<std::string> lines_;
 };
 
 /// A contradiction or a value out of range among the options: the call itself is wrong, no file is.

@@ -7,8 +7,9 @@
 namespace fluidymation {
 
 /// A path with exactly one integer conversion, such as "out/%05d.png": %d, %i, %u with optional
-/// zero flag and width up to 20; "%%" stands for a percent sign. Parsed once; user text never
-/// reaches a printf function.
+/// zero flag and width up to 20; "%%" stands for a percent sign. Or with hashes instead, one for
+/// each digit: "out/#####.png" is "out/%05d.png". Hashes are plain letters in a folder's name and
+/// beside a conversion. Parsed once; user text never reaches a printf function.
 class FramePattern {
  public:
   /// @throws UsageError that shows the pattern and says what is wrong with it: no conversion, two,

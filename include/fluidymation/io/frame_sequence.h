@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct FrameFiles {
 /// @throws Error when no frame exists (names the first file wanted) or when there are holes (a
 ///   missing frame with an existing later one, also one past the frames asked for; all holes are
 ///   listed, runs as "5-9", a very long list is cut). @throws UsageError naming the options when
-///   start + i * speed leaves the range of int.
+///   start + i * speed leaves the range of int. Of a sequence that is wanted completely, frames
+///   missing at its end are holes, too.
 [[nodiscard]] FrameFiles findFrames(const FramePattern& pattern, const SequenceOptions& sequence,
                                     const std::string& optionName);
 
@@ -37,9 +39,15 @@ struct FrameFiles {
                                         const SequenceOptions& sequence,
                                         const std::string& optionName, int dispensable);
 
-/// Reads the headers of all frames. @throws Error unless all have one size; names the first frame
-/// that differs, both sizes and the frame it differs from.
+/// Reads the headers of all frames. @throws Faults unless all can be read and have one size; names
+/// the frames that cannot, and those that differ, both sizes and the frame they differ from, up to
+/// ten and how many more there are.
 [[nodiscard]] Size commonSize(const FrameFiles& files);
+
+/// Compares the sizes of files, as `sizeOf` reads them, with that of the frames they belong to.
+/// Files that need not be there have empty paths. @throws Faults likewise.
+void requireSize(const FrameFiles& files, const FrameFiles& frames, Size wanted,
+                 const std::function<Size(const std::string&)>& sizeOf);
 
 /// Compares the first frames of two sequences that `commonSize` has accepted.
 /// @throws Error naming both files and sizes when an exemplar and its masks differ.

@@ -32,6 +32,11 @@ TEST(FramePattern, WritesNumbersAsPrintfDoes) {
       {"%020d", std::numeric_limits<int>::min(), "-0000000002147483648"},
       {"%d", std::numeric_limits<int>::max(), "2147483647"},
       {"%0d", 5, "5"},
+      {"out/#####.png", 12, "out/00012.png"},
+      {"#.png", 123, "123.png"},
+      {"shot#1/a_###_b.png", -5, "shot#1/a_-05_b.png"},
+      {"50%%_##", 3, "50%_03"},
+      {"shot#1_%02d.png", 3, "shot#1_03.png"},
   };
   for (const auto& c : cases) {
     EXPECT_EQ(FramePattern(c.pattern).path(c.number), c.path) << c.pattern;
@@ -70,6 +75,9 @@ TEST(FramePattern, RefusesAllThatIsNotOneIntegerConversion) {
       {"%d/%s", "\"%s\" is no frame number"},
       {"a%d/x.png", "the frame number is in a folder's name"},
       {"%d/", "the frame number is in a folder's name"},
+      {"##_##.png", "contains more than one frame number"},
+      {"a##/x.png", "contains no frame number"},
+      {"#####################.png", "more than 20 # in a row"},
       {"a\n%d.png", "contains a line break"},
       {std::string("a\0%d.png", 8), "contains a line break or another control character"},
       {"\x1b[2J%d.png", "contains a line break or another control character"},

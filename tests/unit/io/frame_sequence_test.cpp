@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/png.h"
@@ -134,18 +136,64 @@ TEST(FrameSequence, NumbersBeyondIntNameTheOptions) {
             "");
 }
 
-TEST(FrameSequence, CommonSizeNamesTheFirstFrameThatDiffers) {
+std::vector<std::string> faultsOf(const FrameFiles& files) {
+  try {
+    (void)commonSize(files);
+  } catch (const Faults& faults) {
+    return faults.lines();
+  }
+  return {};
+}
+
+TEST(FrameSequence, CommonSizeNamesAllFramesThatDifferOrCannotBeRead) {
   const TemporaryFolder folder;
   FrameFiles files;
   for (const int width : {5, 5, 4, 3}) {
     files.paths.push_back(folder.file(std::to_string(files.paths.size()) + ".png"));
     writeGrayPng(files.paths.back(), Image<std::uint8_t>(Size{width, 3}));
   }
-  EXPECT_EQ(messageOf<Error>([&] { (void)commonSize(files); }),
-            files.paths[2] + ": size 4x3, but " + files.paths[0] +
-                " is 5x3; all frames of a sequence must have one size");
+  files.paths.push_back(folder.file("none.png"));
+  const std::string wanted =
+      ", but " + files.paths[0] + " is 5x3; all frames of a sequence must have one size";
+  EXPECT_EQ(faultsOf(files),
+            (std::vector<std::string>{
+                files.paths[2] + ": size 4x3" + wanted, files.paths[3] + ": size 3x3" + wanted,
+                files.paths[4] + ": cannot be opened (No such file or directory)"}));
+  for (int i = 0; i < 9; ++i) files.paths.push_back(files.paths[2]);
+  const std::vector<std::string> many = faultsOf(files);
+  ASSERT_EQ(many.size(), 10U);
+  EXPECT_EQ(many.back(), files.paths[2] + ": size 4x3" + wanted + "; 2 more files have faults");
   files.paths.resize(2);
   EXPECT_EQ(commonSize(files), (Size{5, 3}));
+}
+
+TEST(FrameSequence, ThatIsWantedCompletelyMustNotEndEarly) {
+  const Frames frames({1, 2, 3});
+  const SequenceOptions range{frames.text(), 1, 5, 1, 1.0, true};
+  EXPECT_EQ(messageOf<Error>(
+                [&] { (void)findFrames(FramePattern(frames.text()), range, "--target-path"); }),
+            "--target-path " + frames.text() +
+                ": 2 frames are missing: 4-5; frames 1 to 5 in steps of 1 were asked for");
+  const SequenceOptions all{frames.text(), 3, 2, -2, 1.0, true};
+  EXPECT_EQ(findFrames(FramePattern(frames.text()), all, "--target-path").numbers, (Numbers{3, 1}));
+}
+
+TEST(FrameSequence, CompanionsThatAreNotThereAtAllAreSaidToBeMissing) {
+  const TemporaryFolder folder;
+  FrameFiles frames;
+  frames.numbers = {1};
+  frames.paths = {"1.png"};
+  const auto complaint = [&](const std::string& pattern) {
+    return messageOf<Error>(
+        [&] { (void)findCompanions(FramePattern(pattern), frames, {}, "--src-flow-path", -1); });
+  };
+  EXPECT_EQ(complaint(folder.file("%d.flo")),
+            "--src-flow-path " + folder.file("%d.flo") +
+                ": there is no file of this pattern; wanted one for every frame of --src-path");
+  EXPECT_EQ(complaint(folder.file("none/%d.flo")),
+            "--src-flow-path " + folder.file("none/%d.flo") +
+                ": there is no file of this pattern (" + folder.file("none") +
+                ": No such file or directory); wanted one for every frame of --src-path");
 }
 
 TEST(FrameSequence, AnExemplarAndItsMasksMustAgree) {

@@ -22,6 +22,15 @@ TEST(AutomaticWidths, EmptyFramesDoNotCount) {
   EXPECT_EQ(automaticBlurSigmaPx({}), 0.0F);
 }
 
+TEST(AutomaticWidths, MeasuredBordersStayNearThoseBySize) {
+  const Size film{400, 222};
+  const float bySize = automaticBorderWidthPx(film);
+  EXPECT_EQ(boundedBorderWidthPx(std::nullopt, film), bySize);
+  EXPECT_EQ(boundedBorderWidthPx(12.0F, film), 12.0F);
+  EXPECT_FLOAT_EQ(boundedBorderWidthPx(1.0F, film), bySize / 2);
+  EXPECT_FLOAT_EQ(boundedBorderWidthPx(99.0F, film), 2 * bySize);
+}
+
 TEST(AutomaticWidths, AreMeansOverFramesAndTenthsOfAPixel) {
   EXPECT_FLOAT_EQ(automaticBlurSigmaPx({10'000, 30'000}), 1.8F);  // 1.77
   EXPECT_FLOAT_EQ(automaticBorderWidthPx({1, 1}), 1.0F);
