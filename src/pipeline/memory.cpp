@@ -41,7 +41,7 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
-constexpr double kPaintingBytes = 256.0;
+constexpr double kPaintingBytes = 220.0;  // the guides round the mask only
 // Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;

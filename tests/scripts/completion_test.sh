@@ -24,9 +24,9 @@ expect() { # WANTED WORD...: the last word is being completed
 (expect 'nonsense' --src-mas) 2>/dev/null && exit 1 # a wrong offer is found
 expect '--src-mask-path' --src-mas
 expect '--target-start --target-speed --target-scale' --target-s
-expect 'standard thesis paper' --preset ''
+expect 'standard crisp calm thesis paper' --preset ''
 expect 'thesis' --preset = th
-expect 'standard thesis paper' --preset =
+expect 'standard crisp calm thesis paper' --preset =
 expect 'file.png' --src-path fi
 expect 'file.png folder' --verify ''
 expect 'folder' --dump-guides ''

@@ -221,7 +221,9 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
   EXPECT_LE(result.peakBytes, estimate)
       << result.peakBytes / 1048576 << " MiB, estimate " << estimate / 1048576 << " MiB";
   if (run.kind == MaskKind::kDust) return;  // half of it is outside
-  EXPECT_GT(result.peakBytes, estimate / 2) << "an estimate that refuses what would fit";
+  // Side by side the stages hardly ever need the most at the same moment
+  EXPECT_GT(result.peakBytes, estimate / (run.threads > 1 ? 3 : 2))
+      << "an estimate that refuses what would fit";
 }
 
 INSTANTIATE_TEST_SUITE_P(
