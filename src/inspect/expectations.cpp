@@ -118,8 +118,7 @@ void tellOfInteriors(const KnownRun& run, std::vector<std::string>& lines) {
 }
 
 void tellOfRim(const KnownRun& run, std::vector<std::string>& lines) {
-  if (!run.rimWidthPx) return;
-  const double rim = std::max(1.0, double{*run.rimWidthPx});
+  const double rim = std::max(1.0, double{run.rimWidthPx});
   const double width = run.borderWidthPx;
   if (width <= kTellWidthRatio * rim) return;
   lines.push_back("exemplar: most of the change of its colours lies within " + tenths(rim) +

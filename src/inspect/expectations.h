@@ -13,7 +13,7 @@ struct KnownRun {
   SequenceFigures exemplar;
   SequenceFigures target;
   float borderWidthPx = 0.0F;
-  std::optional<float> rimWidthPx;  ///< of the exemplar, `RimProfile`
+  float rimWidthPx = 1.0F;  ///< of the exemplar, `measuredBorderWidthPx`
   float blurSigmaPx = 0.0F;
   float targetBlurSigmaPx = 0.0F;
   int sourceSpeed = 1;

@@ -13,7 +13,6 @@
 #include "inspect/guide_pictures.h"
 #include "inspect/input_check.h"
 #include "inspect/report.h"
-#include "inspect/rim_profile.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/memory.h"
 #include "pipeline/memory_limit.h"
@@ -41,10 +40,8 @@ struct SequenceSetup {
   bool withPictures = false;
 };
 
-/// @param onFrame  called with the guides of each frame.
 SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
-                    const std::function<void()>& stopIfWanted,
-                    const std::function<void(int frame, const GuideFrame& guides)>& onFrame) {
+                    const std::function<void()>& stopIfWanted) {
   const int count = setup.masks.files.count();
   SequenceStudy result{{}, GuidePictures(count), 0, false};
   std::vector<double> areas(at(count));
@@ -76,7 +73,6 @@ SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
     if (setup.withPictures && result.pictures.shows(i)) {
       result.pictures.keep(figures.number, frame);
     }
-    onFrame(i, frame);
     previous = std::move(frame.mask);
   }
   return result;
@@ -118,18 +114,17 @@ Inspection inspect(const Options& given, const std::optional<std::string>& guide
   const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
 
-  RimProfile rim;
+  const float rimWidthPx = measuredBorderWidthPx(
+      inputs, sourceChannel, {*options.blurSigmaPx, options.maskThreshold}, stopIfWanted);
   const bool withPictures = guidesFolder.has_value();
   SequenceStudy exemplar =
       study({inputs.sourceMask, inputs.sourceFlow, sourceChannel,
              guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals), withPictures},
-            *options.borderWidthPx, stopIfWanted, [&](int frame, const GuideFrame& guides) {
-              rim.add(guides, toLab(readPicture(inputs.color, frame)));
-            });
+            *options.borderWidthPx, stopIfWanted);
   SequenceStudy target =
       study({inputs.target, inputs.targetFlow, targetChannel,
              guideOptions(options, *options.targetBlurSigmaPx, options.motionModel), withPictures},
-            *options.borderWidthPx, stopIfWanted, [](int, const GuideFrame&) {});
+            *options.borderWidthPx, stopIfWanted);
 
   ReportFacts facts;
   facts.filesRead = checked.filesRead;
@@ -148,10 +143,9 @@ Inspection inspect(const Options& given, const std::optional<std::string>& guide
                             options.synthesis, options.threads);
   facts.threads = options.threads;
   facts.drawsLines = target.drawsLines && options.newMaterial == NewMaterial::kAutomatic;
-  const KnownRun run{std::move(exemplar.figures), std::move(target.figures),
-                     *options.borderWidthPx,      rim.rimWidthPx(*options.borderWidthPx),
-                     *options.blurSigmaPx,        *options.targetBlurSigmaPx,
-                     options.source.speed};
+  const KnownRun run{
+      std::move(exemplar.figures), std::move(target.figures),  *options.borderWidthPx, rimWidthPx,
+      *options.blurSigmaPx,        *options.targetBlurSigmaPx, options.source.speed};
   found.report = reportLines(inputs, run, facts);
   if (withPictures) {
     writePictures(options, *guidesFolder, "exemplar", exemplar.pictures, found);

@@ -64,10 +64,8 @@ std::vector<std::string> reportLines(const Inputs& inputs, const KnownRun& run,
   std::vector<std::string> lines = {"files: all " + std::to_string(facts.filesRead) +
                                     " can be read"};
   addSequence("exemplar", inputs.color, run.exemplar, lines);
-  lines.push_back("  its colours " +
-                  (run.rimWidthPx ? "change most within " + fixedText(double{*run.rimWidthPx}, 0) +
-                                        " px of the edge; the border is "
-                                  : "do not tell how wide its rim is; the border is ") +
+  lines.push_back("  its colours settle " + fixedText(double{run.rimWidthPx}, 0) +
+                  " px from the edge (--border-width auto); the border is " +
                   numberText(run.borderWidthPx) + " px wide");
   addSequence("animation", inputs.target, run.target, lines);
   if (facts.drawsLines) lines.push_back("  lines being drawn: see --new-material");

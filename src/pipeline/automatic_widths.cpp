@@ -33,9 +33,11 @@ float automaticSigma(const InputSequence& masks, MaskChannel channel,
   return automaticBlurSigmaPx(areas);
 }
 
-/// How wide the rim of the film's medium is, from kFramesLookedAt frames at most.
-float measuredBorderWidth(const Inputs& inputs, MaskChannel channel, const MaskOptions& smoothing,
-                          const std::function<void()>& beforeFrame) {
+}  // namespace
+
+float measuredBorderWidthPx(const Inputs& inputs, MaskChannel sourceChannel,
+                            const MaskOptions& smoothing,
+                            const std::function<void()>& beforeFrame) {
   const float bySize = automaticBorderWidthPx(inputs.color.scaled);
   // Half the width: the profile has settled where it stays so over a part of a border.
   const int stepPx = std::max(1, static_cast<int>(std::lround(kLeastMeasuredShare * bySize)));
@@ -45,13 +47,12 @@ float measuredBorderWidth(const Inputs& inputs, MaskChannel channel, const MaskO
   for (int i = 0; i < looks; ++i) {
     beforeFrame();
     const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
-    const Mask mask = smoothMask(readMask(inputs.sourceMask, channel, frame).cut(), smoothing);
+    const Mask mask =
+        smoothMask(readMask(inputs.sourceMask, sourceChannel, frame).cut(), smoothing);
     profile.add(toLab(readPicture(inputs.color, frame)), mask);
   }
   return boundedBorderWidthPx(profile.widthPx(stepPx), inputs.color.scaled);
 }
-
-}  // namespace
 
 void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskChannel targetChannel,
                          const std::function<void()>& beforeFrame, Options& options) {
@@ -67,8 +68,8 @@ void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskCh
   options.borderWidthPx =
       options.borderWidthRule == BorderWidthRule::kBySize
           ? automaticBorderWidthPx(inputs.color.scaled)
-          : measuredBorderWidth(inputs, sourceChannel,
-                                {*options.blurSigmaPx, options.maskThreshold}, beforeFrame);
+          : measuredBorderWidthPx(inputs, sourceChannel,
+                                  {*options.blurSigmaPx, options.maskThreshold}, beforeFrame);
 }
 
 std::string chosenWidths(const Options& given, const Options& found) {

@@ -15,6 +15,13 @@ namespace fluidymation {
 void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskChannel targetChannel,
                          const std::function<void()>& beforeFrame, Options& options);
 
+/// How wide the rim of the film's medium is by its colours, px: what --border-width auto stands
+/// for. Looks at a bounded number of frames, evenly spread; within the bounds that the size gives.
+/// @param smoothing  of the exemplar's masks.
+[[nodiscard]] float measuredBorderWidthPx(const Inputs& inputs, MaskChannel sourceChannel,
+                                          const MaskOptions& smoothing,
+                                          const std::function<void()>& beforeFrame);
+
 /// The widths that `given` leaves open, as options that would give what was found for them:
 /// " --border-width 9.7"; empty where it leaves none open.
 [[nodiscard]] std::string chosenWidths(const Options& given, const Options& found);
