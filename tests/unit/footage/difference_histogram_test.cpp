@@ -1,0 +1,77 @@
+#include "footage/difference_histogram.h"
+
+#include <gtest/gtest.h>
+
+#include "footage/film_difference.h"
+#include "support/synthetic_film.h"
+
+namespace fluidymation::test {
+namespace {
+
+[[nodiscard]] double shareAbove(const Image<float>& difference, float threshold) {
+  std::size_t above = 0;
+  for (const float d : difference) above += d >= threshold ? 1 : 0;
+  return static_cast<double>(above) / static_cast<double>(difference.pixelCount());
+}
+
+TEST(FilmDifference, IsTheDistanceInLab) {
+  const Image<Lab> bare(Size{5, 4}, Lab{50.0F, 10.0F, -10.0F});
+  const Image<Lab> frame(Size{5, 4}, Lab{53.0F, 14.0F, -22.0F});
+  for (const float sigma : {0.0F, 1.5F}) {
+    for (const float d : filmDifference(frame, bare, sigma)) EXPECT_NEAR(d, 13.0F, 1e-3F);
+  }
+}
+
+TEST(FilmDifference, AveragesGrainAndNotPaint) {
+  const Image<Lab> bare = toLab(filmed({{160, 120}, {}, 0.0F}));
+  Shot grainy{{160, 120}, {}, 0.0F};
+  grainy.grain = 0.04F;
+  const Image<Lab> frame = toLab(filmed(grainy));
+  const double sharp = shareAbove(filmDifference(frame, bare, 0.0F), 5.0F);
+  const double averaged = shareAbove(filmDifference(frame, bare, 1.5F), 5.0F);
+  EXPECT_GT(sharp, 0.3);
+  EXPECT_LT(averaged, 0.02);
+  EXPECT_NEAR(filmDifference(toLab(filmed({})), bare, 1.5F)(80, 60),
+              filmDifference(toLab(filmed({})), bare, 0.0F)(80, 60), 2.0F);
+}
+
+TEST(DifferenceHistogram, PartsBareFromPaintWhateverTheirShares) {
+  for (const int painted : {10, 100, 900, 2900}) {
+    Image<float> difference(Size{60, 50}, 1.0F);
+    for (int i = 0; i < painted; ++i) difference.data()[i] = 30.0F + static_cast<float>(i % 7);
+    DifferenceHistogram histogram;
+    histogram.add(difference);
+    EXPECT_GT(histogram.automaticThreshold(), 1.0F);
+    EXPECT_LE(histogram.automaticThreshold(), 30.0F);
+    EXPECT_GE(histogram.automaticThreshold(), 2.3F);
+  }
+}
+
+TEST(DifferenceHistogram, GrainAloneIsNoPaint) {
+  const Image<Lab> bare = toLab(filmed({{160, 120}, {}, 0.0F}));
+  for (const float grain : {0.0F, 0.01F, 0.05F, 0.1F}) {
+    Shot shot{{160, 120}, {}, 0.0F};
+    shot.grain = grain;
+    const Image<float> difference = filmDifference(toLab(filmed(shot)), bare, 1.0F);
+    DifferenceHistogram histogram;
+    histogram.add(difference);
+    EXPECT_LT(shareAbove(difference, histogram.automaticThreshold()), 0.002) << grain;
+  }
+}
+
+TEST(DifferenceHistogram, IsOneForAllFrames) {
+  DifferenceHistogram once;
+  DifferenceHistogram reversed;
+  const Image<float> pale(Size{20, 20}, 3.0F);
+  const Image<float> strong(Size{20, 20}, 40.0F);
+  once.add(pale);
+  once.add(strong);
+  reversed.add(strong);
+  reversed.add(pale);
+  EXPECT_EQ(once.automaticThreshold(), reversed.automaticThreshold());
+  DifferenceHistogram nothing;
+  EXPECT_FLOAT_EQ(nothing.automaticThreshold(), 2.3F);
+}
+
+}  // namespace
+}  // namespace fluidymation::test
