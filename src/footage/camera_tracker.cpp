@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <tuple>
+#include <utility>
 
 #include "fluidymation/core/index.h"
 #include "fluidymation/core/parallel.h"
@@ -82,42 +84,58 @@ constexpr float kAgreementPx = 0.75F;
 [[nodiscard]] std::optional<Vec2> movementOf(const Image<float>& bare, Pixel block,
                                              const Image<float>& frame) {
   constexpr int kReach = CameraTracker::kReachPx;
-  constexpr int kSide = 2 * kReach + 1;
-  Image<double> found({kSide, kSide});
-  Pixel best{kReach, kReach};
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      found(x, y) = correlation(bare, block, frame, {block.x + x - kReach, block.y + y - kReach});
-      if (found(x, y) > found(best.x, best.y) || found(best.x, best.y) == 0.0) best = {x, y};
+  constexpr int kCoarseStep = 2;  // px; the smoothed lightness correlates further than that
+  const auto match = [&](int x, int y) {
+    return correlation(bare, block, frame, {block.x + x, block.y + y});
+  };
+  Pixel best;
+  double top = match(0, 0);
+  const auto improve = [&](Pixel from, int reach, int step) {
+    for (int y = std::max(from.y - reach, -kReach); y <= std::min(from.y + reach, kReach);
+         y += step) {
+      for (int x = std::max(from.x - reach, -kReach); x <= std::min(from.x + reach, kReach);
+           x += step) {
+        const double found = match(x, y);
+        if (found <= top) continue;
+        top = found;
+        best = {x, y};
+      }
     }
-  }
-  const bool atBrink = best.x == 0 || best.y == 0 || best.x == kSide - 1 || best.y == kSide - 1;
-  if (atBrink || found(best.x, best.y) < kLeastCorrelation) return std::nullopt;
-  const double top = found(best.x, best.y);
-  return Vec2{static_cast<float>(best.x - kReach) +
-                  peakOf(found(best.x - 1, best.y), top, found(best.x + 1, best.y)),
-              static_cast<float>(best.y - kReach) +
-                  peakOf(found(best.x, best.y - 1), top, found(best.x, best.y + 1))};
+  };
+  improve({0, 0}, kReach, kCoarseStep);
+  improve(best, 1, 1);
+  const bool atBrink = std::abs(best.x) == kReach || std::abs(best.y) == kReach;
+  if (atBrink || top < kLeastCorrelation) return std::nullopt;
+  return Vec2{static_cast<float>(best.x) +
+                  peakOf(match(best.x - 1, best.y), top, match(best.x + 1, best.y)),
+              static_cast<float>(best.y) +
+                  peakOf(match(best.x, best.y - 1), top, match(best.x, best.y + 1))};
 }
 
-/// Mean of the largest set that lies within `kAgreementPx` of one of its members.
-[[nodiscard]] std::optional<Vec2> agreedOn(const std::vector<Vec2>& movements) {
-  int most = 0;
-  Vec2 mean;
-  for (const Vec2 candidate : movements) {
-    int count = 0;
-    Vec2 sum;
-    for (const Vec2 other : movements) {
-      if (length(other - candidate) > kAgreementPx) continue;
-      ++count;
-      sum += other;
-    }
-    if (count <= most) continue;
-    most = count;
-    mean = 1.0F / static_cast<float>(count) * sum;
+/// Those that lie within `kAgreementPx` of `movement`: how many, and their mean.
+[[nodiscard]] std::pair<int, Vec2> agreeingWith(Vec2 movement, const std::vector<Vec2>& movements) {
+  int count = 0;
+  Vec2 sum;
+  for (const Vec2 other : movements) {
+    if (length(other - movement) > kAgreementPx) continue;
+    ++count;
+    sum += other;
   }
-  const bool enough = most >= kLeastBlocks && 3 * most >= static_cast<int>(movements.size());
-  return enough ? std::optional<Vec2>(mean) : std::nullopt;
+  return {count, 1.0F / static_cast<float>(std::max(count, 1)) * sum};
+}
+
+/// No movement where some blocks have stayed: a camera that moves moves all of them. Else the mean
+/// of the largest set that lies within `kAgreementPx` of one of its members.
+[[nodiscard]] std::optional<Vec2> agreedOn(const std::vector<Vec2>& movements) {
+  std::pair<int, Vec2> largest = agreeingWith({}, movements);
+  if (largest.first >= kLeastBlocks) return largest.second;
+  for (const Vec2 movement : movements) {
+    const std::pair<int, Vec2> agreeing = agreeingWith(movement, movements);
+    if (agreeing.first > largest.first) largest = agreeing;
+  }
+  const bool isMost = 2 * largest.first > static_cast<int>(movements.size());
+  if (largest.first < kLeastBlocks || !isMost) return std::nullopt;
+  return largest.second;
 }
 
 }  // namespace

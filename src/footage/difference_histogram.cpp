@@ -11,9 +11,9 @@ constexpr double kBinWidth = 0.125;
 constexpr std::size_t kBins = 1200;  // up to 150; the last one has all above
 /// CIE76 difference that can just be seen (Mahy, Van Eycken, Oosterlinck 1994).
 constexpr double kJustSeen = 2.3;
-/// The length of a vector of Gaussian noise exceeds four times its median once in a million at
-/// most.
-constexpr double kMediansOfGrain = 4.0;
+/// One in 16 000 values of Gaussian grain is larger, where it lies in one channel alone; in three
+/// of equal size far fewer.
+constexpr double kGrainLevels = 4.0;
 
 [[nodiscard]] double middleOf(std::size_t bin) {
   constexpr double kHalf = 0.5;
@@ -46,33 +46,28 @@ constexpr double kMediansOfGrain = 4.0;
   return split;
 }
 
-/// Median of the differences in the first `bins` bins.
-[[nodiscard]] double medianBelow(const std::vector<std::int64_t>& counts, std::size_t bins) {
-  std::int64_t total = 0;
-  for (std::size_t i = 0; i < bins; ++i) total += counts[i];
-  std::int64_t below = 0;
-  for (std::size_t i = 0; i < bins; ++i) {
-    below += counts[i];
-    if (2 * below >= total) return middleOf(i);
-  }
-  return 0.0;
-}
-
 }  // namespace
 
 DifferenceHistogram::DifferenceHistogram() : counts_(kBins, 0) {}
 
-void DifferenceHistogram::add(const Image<float>& difference) {
+void DifferenceHistogram::add(const Image<float>& difference, float grainLevel) {
   for (const float d : difference) {
     const double bin = std::min(static_cast<double>(d) / kBinWidth, static_cast<double>(kBins - 1));
     ++counts_[static_cast<std::size_t>(bin)];
   }
+  grainLevels_.push_back(grainLevel);
 }
 
 float DifferenceHistogram::automaticThreshold() const {
-  const std::size_t split = otsuSplit(counts_);
-  const double grain = split == 0 ? 0.0 : kMediansOfGrain * medianBelow(counts_, split);
-  return static_cast<float>(std::max({kBinWidth * static_cast<double>(split), grain, kJustSeen}));
+  double grain = 0.0;
+  if (!grainLevels_.empty()) {
+    std::vector<float> levels = grainLevels_;
+    const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+    std::nth_element(levels.begin(), middle, levels.end());
+    grain = kGrainLevels * static_cast<double>(*middle);
+  }
+  const double split = kBinWidth * static_cast<double>(otsuSplit(counts_));
+  return static_cast<float>(std::max({split, grain, kJustSeen}));
 }
 
 }  // namespace fluidymation

@@ -12,16 +12,18 @@ class DifferenceHistogram {
  public:
   DifferenceHistogram();
 
-  void add(const Image<float>& difference);
+  /// @param grainLevel  of this frame (`grainLevel` of film_difference.h).
+  void add(const Image<float>& difference, float grainLevel);
 
   /// The difference from which on a pixel counts as paint, one for the whole film: Otsu's threshold
   /// (1979) of the differences' square roots. The root brings pale and strong paint together;
-  /// without it pale edges count as bare. It is never so low that grain would count: not below
-  /// four times the median of what lies under it, nor below what can just be seen.
+  /// without it pale edges count as bare. It is never below
+  /// four times the grain (the median of the frames'), nor below what can just be seen.
   [[nodiscard]] float automaticThreshold() const;
 
  private:
   std::vector<std::int64_t> counts_;
+  std::vector<float> grainLevels_;  ///< one a frame
 };
 
 }  // namespace fluidymation

@@ -14,4 +14,9 @@ namespace fluidymation {
 [[nodiscard]] Image<float> filmDifference(const Image<Lab>& frame, const Image<Lab>& bare,
                                           float grainSigmaPx);
 
+/// How large grain alone makes the differences above: the root of their mean square. It is told
+/// from all else by neighbours' differences, whose median edges and paint hardly change; grain is
+/// taken to be independent from pixel to pixel.
+[[nodiscard]] float grainLevel(const Image<Lab>& frame, const Image<Lab>& bare, float grainSigmaPx);
+
 }  // namespace fluidymation

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kShakePx = 1.0F;
 /// From this share of the threshold on, a change of light shifts outlines.
-constexpr float kDriftShare = 1.0F / 6.0F;
+constexpr float kDriftShare = 1.0F / 8.0F;
 constexpr double kLighterShare = 0.01;  // of the pixels inside
 
 [[nodiscard]] float lengthOf(Lab color) {
@@ -45,13 +45,12 @@ void addShake(const FilmFindings& film, std::vector<std::string>& warnings) {
   const FrameFindings& worst =
       *std::max_element(film.frames.begin(), film.frames.end(),
                         [&](const auto& a, const auto& b) { return offset(a) < offset(b); });
-  warnings.push_back(
-      "camera: " + frameListText(shaken) +
-      " lie more than 1 px from where the bare surface was taken, frame " +
-      std::to_string(worst.number) + " by " + fixedText(worst.offsetPx->x, 1) + "," +
-      fixedText(worst.offsetPx->y, 1) +
-      " px; edges of things on the surface count as paint then: fix the camera, or "
-      "steady the film first (ffmpeg's vidstabtransform, Blender's 2D stabilization)");
+  warnings.push_back("camera: moved by more than 1 px in " + frameListText(shaken) + ", in frame " +
+                     std::to_string(worst.number) + " by " + fixedText(worst.offsetPx->x, 1) + "," +
+                     fixedText(worst.offsetPx->y, 1) +
+                     " px since the bare surface was taken; edges on the surface count as paint "
+                     "then: fix the camera, or steady the film first (ffmpeg's vidstabtransform, "
+                     "Blender's 2D stabilization)");
 }
 
 void addLight(const FilmFindings& film, std::vector<std::string>& warnings) {

@@ -79,7 +79,9 @@ struct Surface {
   if (options.threshold) return *options.threshold;
   DifferenceHistogram histogram;
   for (int i = 0; i < frameCount; ++i) {
-    histogram.add(filmDifference(toLab(film.frame(i)), bare, options.grainSigmaPx));
+    const Image<Lab> frame = toLab(film.frame(i));
+    histogram.add(filmDifference(frame, bare, options.grainSigmaPx),
+                  grainLevel(frame, bare, options.grainSigmaPx));
   }
   return histogram.automaticThreshold();
 }

@@ -20,6 +20,18 @@ struct Shot {
   std::uint64_t grainSeed = 1;
 };
 
+/// As the defaults, but for these.
+[[nodiscard]] inline Shot stained(Size size, Vec2 centre, float radiusPx) {
+  Shot shot;
+  shot.size = size;
+  shot.centre = centre;
+  shot.radiusPx = radiusPx;
+  return shot;
+}
+
+/// Bare paper.
+[[nodiscard]] inline Shot paper(Size size = Shot().size) { return stained(size, {}, 0.0F); }
+
 /// The frame: paper whose smooth random structure is fixed to it, with the stain.
 [[nodiscard]] Image<Rgb> filmed(const Shot& shot);
 

@@ -22,8 +22,8 @@ TEST(BarePicture, MedianIsThatOfEachChannel) {
 }
 
 TEST(BarePicture, PaintIsFilledInFromAround) {
-  const Image<Rgb> bare = filmed({{160, 120}, {}, 0.0F});
-  const Image<Rgb> stained = filmed({});
+  const Image<Rgb> bare = filmed(paper());
+  const Image<Rgb> stained = filmed(Shot());
   Image<float> paint(stained.size(), 0.0F);
   for (int y = 0; y < paint.height(); ++y) {
     for (int x = 0; x < paint.width(); ++x) {

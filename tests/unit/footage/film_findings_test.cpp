@@ -43,10 +43,9 @@ TEST(FilmFindings, NamesFramesAndFiguresOfShakeAndLight) {
   FilmFindings film = faultless();
   film.frames[3].offsetPx = Vec2{0.9F, -0.9F};
   film.frames[4].offsetPx = Vec2{3.0F, -4.25F};
-  EXPECT_TRUE(
-      warnsOnlyOf(film,
-                  "camera: frames 4 to 5 lie more than 1 px from where the bare surface was "
-                  "taken, frame 5 by 3.0,-4.2 px; "));
+  EXPECT_TRUE(warnsOnlyOf(film,
+                          "camera: moved by more than 1 px in frames 4 to 5, in frame 5 by "
+                          "3.0,-4.2 px since the bare surface was taken; "));
   film = faultless();
   film.frames[9].lightDrift = Lab{-3.0F, 0.0F, 0.0F};
   EXPECT_TRUE(

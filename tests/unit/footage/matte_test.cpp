@@ -16,8 +16,8 @@ namespace {
 }
 
 TEST(Matte, MultipliedOverTheSurfaceGivesTheFrameBack) {
-  const Image<Rgb> bare = filmed({{160, 120}, {}, 0.0F});
-  const Image<Rgb> frame = filmed({});
+  const Image<Rgb> bare = filmed(paper());
+  const Image<Rgb> frame = filmed(Shot());
   for (const float alpha : {1.0F, 0.8F}) {
     const Matte matte = multiplyMatte(frame, bare, Image<float>(frame.size(), alpha));
     EXPECT_EQ(matte.lighter, 0);
@@ -33,8 +33,7 @@ TEST(Matte, MultipliedOverTheSurfaceGivesTheFrameBack) {
 
 TEST(Matte, OverWhiteThePaperIsGone) {
   Shot shot;
-  const Matte matte =
-      multiplyMatte(filmed(shot), filmed({{160, 120}, {}, 0.0F}), Image<float>(shot.size, 1.0F));
+  const Matte matte = multiplyMatte(filmed(shot), filmed(paper()), Image<float>(shot.size, 1.0F));
   for (int x = 60; x < 100; ++x) {
     EXPECT_NEAR(matte.picture(x, 60).r, 255.0F * shot.paint.r, 1.0F);
     EXPECT_NEAR(matte.picture(x, 60).b, 255.0F * shot.paint.b, 1.0F);
@@ -42,7 +41,7 @@ TEST(Matte, OverWhiteThePaperIsGone) {
 }
 
 TEST(Matte, IsTransparentBlackOutside) {
-  const Image<Rgb> frame = filmed({});
+  const Image<Rgb> frame = filmed(Shot());
   Image<float> coverage(frame.size(), 0.0F);
   coverage(80, 60) = 1.0F;
   const Matte matte = multiplyMatte(frame, frame, coverage);
