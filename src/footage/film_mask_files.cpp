@@ -121,10 +121,12 @@ FilmMaskFiles openFilm(const FilmMaskOptions& options) {
   requireMemory(options, files.size);
   Outputs outputs(options);
   const auto add = [&](const std::string& option, const std::string& pattern) {
+    const std::string given = option + " " + pattern;
+    const FramePattern frames(pattern);
     std::vector<std::string> paths;
     for (const int number : files.film.numbers) {
-      paths.push_back(FramePattern(pattern).path(number));
-      outputs.add(option + " " + pattern, paths.back());
+      paths.push_back(frames.path(number));
+      outputs.add(given, paths.back());
     }
     return paths;
   };

@@ -58,6 +58,7 @@ struct Surface {
   } else {
     std::vector<Image<Rgb>> first;
     const int count = std::min(options.bareFrames, files.film.count());
+    first.reserve(at(count));
     for (int i = 0; i < count; ++i) first.push_back(film.frame(i));
     const std::vector<int> numbers(files.film.numbers.begin(), files.film.numbers.begin() + count);
     surface = {medianPicture(first), (count > 1 ? "median of " : "") + frameListText(numbers)};
