@@ -26,57 +26,51 @@ constexpr const char* kMatte = "Matte";
 struct MaskRequest {
   FilmMaskOptions options;
   bool wantsMatte = false;
+  bool framesAreGiven = false;
 };
 
-[[nodiscard]] Spec valueSpec(const char* name, const char* group, const char* valueName,
-                             const std::string& help,
-                             std::function<void(const std::string& option, const std::string&)> set,
-                             bool required = false) {
+[[nodiscard]] Spec valueSpec(
+    const char* name, const char* group, const char* valueName, const std::string& help,
+    std::function<void(const std::string& option, const std::string&)> set) {
   const std::string option = name;
   return {option,
           group,
           valueName,
           help,
-          required,
+          false,
           [option, set = std::move(set)](CommandLine&, const std::string& value) {
             if (value.empty()) throw UsageError(shown(option, value) + ": wanted a value");
             set(option, value);
           }};
 }
 
-[[nodiscard]] std::vector<Spec> fileSpecs(FilmMaskOptions& options) {
+/// The painter's options for its film, which also know folders; all frames where no number is
+/// given.
+[[nodiscard]] std::vector<Spec> fileSpecs(MaskRequest& request) {
   std::vector<Spec> specs;
-  specs.push_back(valueSpec(
-      "--src-path", kFiles, "PATTERN", "frames of the film, PNG\n(required)",
-      [&options](const std::string& option, const std::string& value) {
-        checkPattern(option, value);
-        options.film.path = value;
-      },
-      true));
-  specs.push_back(valueSpec(
-      "--out-path", kFiles, "PATTERN", "masks to write, PNG, numbered as --src-path\n(required)",
-      [&options](const std::string& option, const std::string& value) {
-        checkOutputPattern(option, value);
-        options.maskPath = value;
-      },
-      true));
-  specs.push_back(
-      valueSpec("--src-start", kFiles, "N",
-                "number of the first frame\n(default 1; in " + ranges::kFrameNumbers.text() + ")",
-                [&options](const std::string& option, const std::string& value) {
-                  options.film.start = parseInt(option, value, ranges::kFrameNumbers);
-                }));
-  specs.push_back(
-      valueSpec("--src-frames", kFiles, "N",
-                "frames, at most\n(default all; in " + ranges::kFrameCounts.text() + ")",
-                [&options](const std::string& option, const std::string& value) {
-                  options.film.frames = parseInt(option, value, ranges::kFrameCounts);
-                }));
-  specs.push_back(valueSpec(
-      "--sheet", kFiles, "FILE",
-      "PNG with the masks' outlines over some frames, to check\n"
-      "(default off)",
-      [&options](const std::string&, const std::string& value) { options.sheetPath = value; }));
+  for (Spec& spec : optionTable()) {
+    if (spec.name == "--src-path") {
+      spec.help = "frames of the film, PNG: pattern or folder\n(required)";
+    } else if (spec.name == "--out-path") {
+      spec.help = "masks to write, PNG, numbered as --src-path\n(required)";
+    } else if (spec.name == "--src-frames") {
+      spec.help = "frames, at most\n(default all; in " + ranges::kFrameCounts.text() + ")";
+      spec.apply = [&request, set = spec.apply](CommandLine& line, const std::string& value) {
+        set(line, value);
+        request.framesAreGiven = true;
+      };
+    } else if (spec.name != "--src-range" && spec.name != "--src-start") {
+      continue;
+    }
+    spec.group = kFiles;
+    specs.push_back(std::move(spec));
+  }
+  specs.push_back(valueSpec("--sheet", kFiles, "FILE",
+                            "PNG with the masks' outlines over some frames, to check\n"
+                            "(default off)",
+                            [&request](const std::string&, const std::string& value) {
+                              request.options.sheetPath = value;
+                            }));
   return specs;
 }
 
@@ -160,7 +154,7 @@ struct MaskRequest {
 }
 
 [[nodiscard]] CommandSyntax maskSyntax(MaskRequest& request) {
-  std::vector<Spec> table = fileSpecs(request.options);
+  std::vector<Spec> table = fileSpecs(request);
   const auto append = [&table](std::vector<Spec> specs) {
     std::move(specs.begin(), specs.end(), std::back_inserter(table));
   };
@@ -190,6 +184,12 @@ ExitCode maskCommand(int argc, const char* const* argv, const Streams& streams,
   if (request.wantsMatte != request.options.mattePath.has_value()) {
     throw UsageError("--matte, --matte-path: wanted both or neither");
   }
+  const int allFrames = request.options.film.frames;
+  request.options.film = line.options.source;
+  if (!request.framesAreGiven && !line.options.source.complete) {
+    request.options.film.frames = allFrames;
+  }
+  request.options.maskPath = line.options.outPath;
   request.options.threads = line.options.threads;
   const FilmMasks masks =
       maskFilm(request.options, [&] { return stopSignal && stopSignal() != 0; });

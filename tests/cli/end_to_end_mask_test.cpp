@@ -95,6 +95,10 @@ TEST(EndToEndMask, OptionsReachTheMasks) {
   }
   std::filesystem::remove_all(scene.file("made"));
   EXPECT_EQ(made({{"--src-start", "2"}, {"--src-frames", "2"}}).size(), 2U);
+  std::filesystem::remove_all(scene.file("made"));
+  EXPECT_EQ(made({{"--src-range", "1-3"}}).size(), 3U);
+  std::filesystem::remove_all(scene.file("made"));
+  EXPECT_EQ(made({{"--src-path", "src"}, {"--out-path", "made"}}), plain);
 }
 
 TEST(EndToEndMask, HelpTellsAllOptions) {
