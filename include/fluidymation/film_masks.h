@@ -35,6 +35,7 @@ struct FilmMaskOptions {
   bool soft = false;                         ///< anti-aliased masks
   std::optional<std::string> sheetPath;      ///< PNG file: outlines over some frames
   std::optional<std::string> mattePath;      ///< pattern of the pigment without the surface
+  bool overwrite = false;                    ///< masks and mattes that are there already
   int threads = 1;
 
   FilmMaskOptions();

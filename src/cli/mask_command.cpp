@@ -65,6 +65,9 @@ struct MaskRequest {
     spec.group = kFiles;
     specs.push_back(std::move(spec));
   }
+  specs.push_back(
+      {"--overwrite", kFiles, "", "replace masks and mattes that are there already\n(default off)",
+       false, [&request](CommandLine&, const std::string&) { request.options.overwrite = true; }});
   specs.push_back(valueSpec("--sheet", kFiles, "FILE",
                             "PNG with the masks' outlines over some frames, to check\n"
                             "(default off)",

@@ -1,5 +1,6 @@
 #include "footage/film_mask_files.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -89,12 +90,26 @@ class Outputs {
       throw UsageError(option + ": " + path + " is written already; choose another name");
     }
     checkReplaceable(path);
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) existing_.push_back(path);
+  }
+
+  /// Masks may have been retouched. @throws Error where files are there already.
+  void requireNew() const {
+    if (existing_.empty() || options_.overwrite) return;
+    const std::size_t others = existing_.size() - 1;
+    throw Error(existing_.front() + ": is there already" +
+                (others == 0 ? ""
+                             : (others == 1 ? "; so is " : "; so are ") + std::to_string(others) +
+                                   " more") +
+                "; wanted --overwrite to replace, or another --out-path");
   }
 
  private:
   const FilmMaskOptions& options_;
   ProtectedFiles film_;
   std::set<fs::path> taken_;
+  std::vector<std::string> existing_;
 };
 
 [[nodiscard]] std::string folderOf(const std::string& path) {
@@ -132,6 +147,7 @@ FilmMaskFiles openFilm(const FilmMaskOptions& options) {
   };
   files.masks = add("--out-path", options.maskPath);
   if (options.mattePath) files.mattes = add("--matte-path", *options.mattePath);
+  outputs.requireNew();
   if (options.sheetPath) {
     if (fs::path(*options.sheetPath).extension() != ".png") {
       throw UsageError("--sheet " + *options.sheetPath + ": wanted a name that ends in .png");

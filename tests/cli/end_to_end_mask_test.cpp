@@ -55,7 +55,11 @@ TEST(EndToEndMask, WarnsOnStandardErrorUnlessQuiet) {
   const SmallScene scene;
   const ToolOptions options = withDisc({{"--threshold", "250"}});
   EXPECT_EQ(masked(scene, options).err.find("fluidymation: warning: nothing found: "), 0U);
-  const ProcessResult quiet = masked(scene, quietly(options));
+  EXPECT_TRUE(failedNaming(1, "made/00001.png: is there already; so are 3 more; wanted --overwrite",
+                           {}, masked(scene, options)));
+  ToolOptions again = quietly(options);
+  again["--overwrite"] = "";
+  const ProcessResult quiet = masked(scene, again);
   EXPECT_EQ(quiet.exitCode, 0);
   EXPECT_EQ(quiet.err + quiet.out, "");
 }
@@ -82,7 +86,9 @@ TEST(EndToEndMask, RefusesWrongOptions) {
 TEST(EndToEndMask, OptionsReachTheMasks) {
   const SmallScene scene;
   const auto made = [&](const ToolOptions& options) {
-    EXPECT_EQ(masked(scene, withDisc(quietly(options))).exitCode, 0);
+    ToolOptions all = withDisc(quietly(options));
+    all["--overwrite"] = "";
+    EXPECT_EQ(masked(scene, all).exitCode, 0);
     return filesOf(scene.file("made"));
   };
   const SmallScene::Painting plain = made({});
@@ -105,10 +111,10 @@ TEST(EndToEndMask, HelpTellsAllOptions) {
   const SmallScene scene;
   const ProcessResult help = masked(scene, {{"--help", ""}});
   EXPECT_EQ(help.exitCode, 0);
-  for (const char* option :
-       {"--src-path", "--out-path", "--src-start", "--src-frames", "--sheet", "--bare ",
-        "--bare-frames", "--bare-paint", "--threshold", "--grain-sigma", "--smallest-part",
-        "--smallest-hole", "--soft", "--matte ", "--matte-path", "--threads", "--quiet"}) {
+  for (const char* option : {"--src-path", "--out-path", "--src-start", "--src-frames",
+                             "--overwrite", "--sheet", "--bare ", "--bare-frames", "--bare-paint",
+                             "--threshold", "--grain-sigma", "--smallest-part", "--smallest-hole",
+                             "--soft", "--matte ", "--matte-path", "--threads", "--quiet"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
 }

@@ -41,6 +41,7 @@ class FilmMasksTest : public ::testing::Test {
     for (int number = 1; number <= kFrames; ++number) write(number, growing(number));
     options_.film.path = folder_.file("rgb/%05d.png");
     options_.maskPath = folder_.file("mask/%05d.png");
+    options_.overwrite = true;
   }
 
   void write(int number, const Shot& shot) const {
@@ -199,6 +200,21 @@ TEST_F(FilmMasksTest, ReplacesNoInputAndNoOtherOutput) {
   std::filesystem::copy_file(file("rgb", 1), *options_.barePath);
   EXPECT_NE(refused().find(" is an input and would be overwritten"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("mask", 1)));
+}
+
+TEST_F(FilmMasksTest, ReplacesNoMaskUnasked) {
+  options_.overwrite = false;
+  std::filesystem::create_directories(folder_.file("mask"));
+  const Bytes retouched = bytesOf("a mask");
+  for (const int number : {2, 5}) writeBytes(file("mask", number), retouched);
+  EXPECT_EQ(messageOf<Error>([&] { (void)made(); }),
+            file("mask", 2) +
+                ": is there already; so is 1 more; wanted --overwrite to replace, or "
+                "another --out-path");
+  EXPECT_EQ(readBytes(file("mask", 5)), retouched);
+  EXPECT_FALSE(std::filesystem::exists(file("mask", 1)));
+  options_.overwrite = true;
+  EXPECT_EQ(made().frames, kFrames);
 }
 
 TEST_F(FilmMasksTest, ASurfaceOfAnotherSizeIsRefused) {
