@@ -1,6 +1,7 @@
 #include "cli/subcommand.h"
 
 #include "cli/inspect_command.h"
+#include "cli/mask_command.h"
 #include "cli/preview_command.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -11,6 +12,7 @@ const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all = {
       {"inspect", "says what is wrong with the inputs and what to expect; paints nothing",
        inspectCommand},
+      {"mask", "makes the masks of an exemplar from its film; paints nothing", maskCommand},
       {"preview", "shows painted frames as a sheet or a film; paints nothing", previewCommand}};
   return all;
 }

@@ -31,6 +31,10 @@ ProtectedFiles::ProtectedFiles(const Options& options) {
   }
 }
 
+ProtectedFiles::ProtectedFiles(const std::vector<std::string>& patterns) {
+  for (const std::string& text : patterns) add(FramePattern(text));
+}
+
 bool ProtectedFiles::contains(const std::string& path) const {
   // The entry of the folder is what is replaced, also where it is a link to elsewhere.
   const fs::path given = path;

@@ -23,6 +23,9 @@ class ProtectedFiles {
   /// Lists the folders of all input patterns.
   explicit ProtectedFiles(const Options& options);
 
+  /// The same for these patterns. @throws UsageError for what is none.
+  explicit ProtectedFiles(const std::vector<std::string>& patterns);
+
   /// Whether writing `path` would replace one, under whatever name it is known.
   [[nodiscard]] bool contains(const std::string& path) const;
 
