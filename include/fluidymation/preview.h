@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,19 +32,22 @@ class Preview {
   static constexpr int kFramesPerSecond = 12;
 
   /// Checks all that is needed: the file's ending and place, the background, ffmpeg where it is
-  /// wanted. @throws UsageError, Error.
-  Preview(const Options& options, const PreviewOptions& preview);
+  /// wanted.
+  /// @param cancelled  whether to stop; asked before each file that is read, here and later.
+  /// @throws UsageError, Error, Interrupted.
+  Preview(const Options& options, const PreviewOptions& preview,
+          const std::function<bool()>& cancelled = {});
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
   ~Preview();
 
   /// A frame (from 0 in the sequence) is written; the preview is too, where it is due.
-  /// @throws Error naming the file.
+  /// @throws Error naming the file, Interrupted.
   void frameWritten(int frame);
 
   /// Writes the preview of all frames that are there.
   /// @return  how many; 0: none is there, and nothing was written.
-  /// @throws Error naming the file.
+  /// @throws Error naming the file, Interrupted.
   int finish();
 
  private:

@@ -38,8 +38,13 @@ export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 
 # The tool needs about a second to save its state; a second SIGTERM would end it at once.
 save_time_ms=20000
-painted=0
+trap 'echo "interrupted, with all states saved: the same command goes on" >&2; exit 130' INT
+failed=0
 parallel --jobs "$jobs" --line-buffer --tag --termseq "TERM,$save_time_ms,KILL,100" \
-  "$here/shots.py" paint "$list" {} <<<"$names" || painted=$?
-"$here/finish.sh" "${previews[@]}" "$list" || painted=1
-exit $((painted > 0))
+  "$here/shots.py" paint "$list" {} <<<"$names" || failed=$?
+bad=0
+"$here/finish.sh" "${previews[@]}" "$list" || bad=1
+if [ "$failed" -gt 0 ]; then
+  echo "$failed of $count shots were not painted now, as told above; frames that are there are of an earlier run" >&2
+fi
+exit $((failed + bad > 0))

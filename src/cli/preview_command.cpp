@@ -36,14 +36,15 @@ namespace {
 }  // namespace
 
 ExitCode previewCommand(int argc, const char* const* argv, const Streams& streams,
-                        const StopSignal& /*stopSignal*/) {
+                        const StopSignal& stopSignal) {
   const CommandLine line = parseCommandLine(previewSyntax(), argc, argv);
   if (line.information) {
     streams.out << *line.information;
     requireWritten(streams);
     return kDone;
   }
-  const int frames = Preview(line.options, line.preview).finish();
+  const auto isCancelled = [&] { return stopSignal && stopSignal() != 0; };
+  const int frames = Preview(line.options, line.preview, isCancelled).finish();
   if (frames == 0) {
     throw Error("--out-path " + line.options.outPath +
                 ": no painted frame is there; paint some first");

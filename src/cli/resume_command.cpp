@@ -20,10 +20,11 @@ namespace {
 
 std::string resumeCommand(int argc, const char* const* argv) {
   std::string command;
-  bool resumes = false;
+  bool resumes = false;  // or goes on without
   for (int i = 0; i < argc; ++i) {
     if (i > 0 && std::strcmp(argv[i], "--restart") == 0) continue;
-    resumes = resumes || std::strcmp(argv[i], "--resume") == 0;
+    resumes = resumes || std::strcmp(argv[i], "--resume") == 0 ||
+              std::strcmp(argv[i], "--skip-existing") == 0;
     command += (i == 0 ? "" : " ") + quoted(argv[i]);
   }
   return command + (resumes ? "" : " --resume");

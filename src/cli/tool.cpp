@@ -40,14 +40,16 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
   if (line.quiet) style = Progress::Style::kQuiet;
   Progress progress(streams.err, style);
   requirePreviewFile(line.preview);
+  const auto isCancelled = [&] { return stopSignal && stopSignal() != 0; };
   std::optional<Preview> preview;
-  if (!line.preview.path.empty()) preview.emplace(line.options, line.preview);
-  bool refreshes = preview.has_value();
+  bool refreshes = false;
   const auto refresh = [&](int frame) {
     try {
       preview->frameWritten(frame);
     } catch (const Error& error) {  // the painting is worth more
       progress.note(std::string(error.what()) + "; the preview waits for the end");
+      refreshes = false;
+    } catch (const Interrupted&) {  // the painting stops by itself, and saves its state
       refreshes = false;
     }
   };
@@ -60,7 +62,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                             }
                             if (refreshes) refresh(report.index);
                           },
-                          [&] { return stopSignal && stopSignal() != 0; },
+                          isCancelled,
                           [&](int frame, int frameCount) {
                             if (lines) {
                               lines->paintingBegins(frame, frameCount);
@@ -70,9 +72,14 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                           }};
   try {
     for (const std::string& text : line.notes) progress.note(text);
+    if (!line.preview.path.empty()) preview.emplace(line.options, line.preview, isCancelled);
+    refreshes = preview.has_value();
     if (lines) lines->readingBegins();
     progress.readingBegins();
     engine(line.options, observer);
+    progress.allDone();
+    if (!preview) progress.tellOfPreview();
+    if (preview && preview->finish() > 0) progress.previewWritten(line.preview.path);
   } catch (const Error& failure) {
     progress.finishLine();
     if (lines) lines->failed(failure.what());
@@ -81,9 +88,6 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
     progress.finishLine();
     throw;
   }
-  progress.allDone();
-  if (!preview) progress.tellOfPreview();
-  if (preview && preview->finish() > 0) progress.previewWritten(line.preview.path);
 }
 
 /// Says in which frames the disk differs from the manifest. @return  kFailed where it does.

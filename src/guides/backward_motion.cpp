@@ -22,8 +22,7 @@ BackwardMotion::BackwardMotion(int frameCount, const FrameOf& frameOf, RecordSto
     : store_(store), frameCount_(frameCount), firstOfBlocks_(at(blockCount())) {
   MovingFrame frame = frameOf(frameCount - 1);
   std::vector<Vec2> motion(frame.flow.size());
-  for (int i = frameCount - 1;; --i) {
-    if (i == 0) break;
+  for (int i = frameCount - 1; i > 0; --i) {
     if (i % kStoredEvery == 0) firstOfBlocks_[at(i / kStoredEvery)] = store_.add(motion);
     MovingFrame earlier = frameOf(i - 1);
     motion = oneFrameEarlier(frame, motion, earlier);

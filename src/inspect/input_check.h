@@ -21,8 +21,8 @@ struct CheckedInputs {
 /// More faults than these are counted in a last line.
 inline constexpr int kMostFaults = 40;
 
-/// Finds the files of all sequences and decodes each of them. Where painting stops at the first
-/// fault, this goes on and lists all.
+/// Finds the files of all sequences and decodes each of them. Painting lists what headers tell, and
+/// stops at the first file that cannot be decoded; this goes on and lists all.
 /// @param options  validated.
 /// @param beforeFile  called before each file; may throw to stop.
 [[nodiscard]] CheckedInputs checkInputs(const Options& options,

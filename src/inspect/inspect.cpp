@@ -38,7 +38,19 @@ struct SequenceSetup {
   MaskChannel channel;
   GuideOptions guides;
   bool withPictures = false;
+  /// Told of the most mask pixels of a frame before any flow is derived; may throw to end there.
+  std::function<void(std::int64_t mostPixels)> masksRead;
 };
+
+/// Where the frames of a sequence wait: nothing of a run's own folder is there yet.
+/// @throws Error naming TMPDIR.
+std::string temporaryFolder() {
+  std::error_code failure;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(failure);
+  if (!failure) return folder.string();
+  throw Error("TMPDIR: no folder for temporary files (" + failure.message() +
+              "); wanted one that exists");
+}
 
 SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
                     const std::function<void()>& stopIfWanted) {
@@ -54,9 +66,10 @@ SequenceStudy study(const SequenceSetup& setup, float borderWidthPx,
   };
   GuideStreamSetting setting;
   setting.storage.memoryBytes = kWaitingBytes;
-  setting.storage.folder = std::filesystem::temp_directory_path().string();
+  setting.storage.folder = temporaryFolder();
   setting.masksRead = [&](std::size_t mostPixels) {
     result.mostPixels = static_cast<std::int64_t>(mostPixels);
+    setup.masksRead(result.mostPixels);
   };
   setting.beforeFlow = stopIfWanted;
   GuideStream stream(count, readAndNote, setup.guides, flowReader(setup.flow, stopIfWanted),
@@ -117,28 +130,29 @@ Inspection inspect(const Options& given, const std::optional<std::string>& guide
   const float rimWidthPx = measuredBorderWidthPx(
       inputs, sourceChannel, {*options.blurSigmaPx, options.maskThreshold}, stopIfWanted);
   const bool withPictures = guidesFolder.has_value();
+  RunSize size = sizeOfRun(options, inputs);
+  const auto countedAs = [&](std::int64_t& maskPixels) {
+    return [&](std::int64_t mostPixels) {
+      maskPixels = mostPixels;
+      requireMemory(options, size);
+    };
+  };
   SequenceStudy exemplar =
       study({inputs.sourceMask, inputs.sourceFlow, sourceChannel,
-             guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals), withPictures},
+             guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals), withPictures,
+             countedAs(size.exemplarMaskPixels)},
             *options.borderWidthPx, stopIfWanted);
   SequenceStudy target =
       study({inputs.target, inputs.targetFlow, targetChannel,
-             guideOptions(options, *options.targetBlurSigmaPx, options.motionModel), withPictures},
+             guideOptions(options, *options.targetBlurSigmaPx, options.motionModel), withPictures,
+             countedAs(size.targetMaskPixels)},
             *options.borderWidthPx, stopIfWanted);
 
   ReportFacts facts;
   facts.filesRead = checked.filesRead;
   facts.chosenWidths = chosenWidths(given, options);
-  RunSize size = sizeOfRun(options, inputs);
-  size.exemplarMaskPixels = exemplar.mostPixels;
-  size.targetMaskPixels = target.mostPixels;
   facts.mostBytes = bytesOfRun(size);
   facts.limitBytes = memoryLimitBytes(options);
-  try {
-    requireMemory(options, size);
-  } catch (const UsageError& error) {
-    found.faults.emplace_back(error.what());
-  }
   facts.time = estimateTime(target.figures.insidePx(), inputs.color.files.count(),
                             options.synthesis, options.threads);
   facts.threads = options.threads;

@@ -69,7 +69,7 @@ std::vector<std::string> reportLines(const Inputs& inputs, const KnownRun& run,
                   numberText(run.borderWidthPx) + " px wide");
   addSequence("animation", inputs.target, run.target, lines);
   if (facts.drawsLines) lines.push_back("  lines being drawn: see --new-material");
-  if (!facts.chosenWidths.empty()) lines.push_back("chosen by size:" + facts.chosenWidths);
+  if (!facts.chosenWidths.empty()) lines.push_back(facts.chosenWidths);
   lines.push_back("memory: at most " + memoryText(facts.mostBytes) + " (the limit is " +
                   memoryText(facts.limitBytes) + ")");
   lines.push_back("time: " + durationText(facts.time.leastSeconds) + " to " +

@@ -34,6 +34,7 @@ void RecordStore::drop(Record record) {
   Entry& entry = entries_[record];
   if (!entry.onDisk) bytesInMemory_ -= entry.byteCount;
   entry = {};
+  entry.isDropped = true;
 }
 
 }  // namespace fluidymation

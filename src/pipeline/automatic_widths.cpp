@@ -79,7 +79,9 @@ std::string chosenWidths(const Options& given, const Options& found) {
     text += " --target-blur-sigma " + numberText(*found.targetBlurSigmaPx);
   }
   if (!given.borderWidthPx) text += " --border-width " + numberText(*found.borderWidthPx);
-  return text;
+  if (text.empty()) return text;
+  const bool isMeasured = !given.borderWidthPx && given.borderWidthRule != BorderWidthRule::kBySize;
+  return std::string("chosen by size") + (isMeasured ? " and by the film's colours:" : ":") + text;
 }
 
 }  // namespace fluidymation

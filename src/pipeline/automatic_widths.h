@@ -22,8 +22,8 @@ void fillAutomaticWidths(const Inputs& inputs, MaskChannel sourceChannel, MaskCh
                                           const MaskOptions& smoothing,
                                           const std::function<void()>& beforeFrame);
 
-/// The widths that `given` leaves open, as options that would give what was found for them:
-/// " --border-width 9.7"; empty where it leaves none open.
+/// The widths that `given` leaves open, as options that would give what was found for them: "chosen
+/// by size: --border-width 9.7"; empty where it leaves none open.
 [[nodiscard]] std::string chosenWidths(const Options& given, const Options& found);
 
 }  // namespace fluidymation

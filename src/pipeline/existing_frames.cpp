@@ -24,6 +24,18 @@ namespace fs = std::filesystem;
   return fs::symlink_status(path, ignored).type() > fs::file_type::not_found;
 }
 
+/// Whether a run was stopped or killed there: the frames that it had not recorded yet are its own.
+[[nodiscard]] bool wasStopped(const RunFiles& files) {
+  std::error_code ignored;
+  if (!fs::is_directory(files.hiddenFolder(), ignored)) return false;
+  if (!fs::exists(files.manifest(), ignored)) return true;
+  try {
+    return !readManifest(files.manifest()).complete;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 /// What the manifest says of the frames, by their names; nothing where there is none to read.
 [[nodiscard]] std::map<std::string, Digest> paintedFrames(const RunFiles& files) {
   std::map<std::string, Digest> painted;
@@ -41,9 +53,11 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-void requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run, FrameSpan span,
-                      const std::function<void()>& beforeEach) {
-  if (options.existing == ExistingFrames::kReplace || options.resume || options.restart) return;
+void requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
+                      const StartingPoint& start, const std::function<void()>& beforeEach) {
+  if (options.existing == ExistingFrames::kReplace || start.state) return;
+  if ((options.resume || options.restart) && wasStopped(run.files)) return;
+  const FrameSpan span = start.span;
   const std::map<std::string, Digest> painted = paintedFrames(run.files);
   std::string first;
   int others = 0;

@@ -15,7 +15,7 @@ namespace fluidymation {
 ///   than the limit.
 void requireMemory(const Options& options, const RunSize& run);
 
-/// "memory: at most 0.4 of 23.4 GiB", for the user.
+/// "memory: at most about 534 MiB, of 23.6 GiB that this machine has", for the user.
 [[nodiscard]] std::string memoryNote(const Options& options, const RunSize& run);
 
 }  // namespace fluidymation

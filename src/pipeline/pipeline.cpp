@@ -175,7 +175,7 @@ void stylize(const Options& given, const Observer& observer) {
   const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
   fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
   const std::string chosen = chosenWidths(given, options);
-  if (!chosen.empty() && observer.note) observer.note("chosen by size:" + chosen);
+  if (!chosen.empty() && observer.note) observer.note(chosen);
 
   const RunIdentity run = identityOf(options, inputs, outPaths, stopIfWanted);
   RunLock lock(run.files);
@@ -184,20 +184,22 @@ void stylize(const Options& given, const Observer& observer) {
   StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
   tell(observer, start.note);
   if (start.span.begin == start.span.end) return;
-  requireOwnFrames(options.continuation, run, start.span, stopIfWanted);
+  requireOwnFrames(options.continuation, run, start, stopIfWanted);
   const auto countWritten = [&](int j) {  // all before frame j
     stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
   };
   countWritten(start.span.begin);
 
   RunSize size = sizeOfRun(options, inputs);
-  const auto setting = [&](std::int64_t& maskPixels) {
-    return GuideStreamSetting{{kWaitingBytes, run.files.folder()},
-                              [&](std::size_t mostPixels) {
-                                maskPixels = static_cast<std::int64_t>(mostPixels);
-                                requireMemory(options, size);
-                              },
-                              stopIfWanted};
+  const auto settingFor = [&](std::int64_t& maskPixels) {
+    GuideStreamSetting setting;
+    setting.storage = {kWaitingBytes, run.files.folder()};
+    setting.masksRead = [&](std::size_t mostPixels) {
+      maskPixels = static_cast<std::int64_t>(mostPixels);
+      requireMemory(options, size);
+    };
+    setting.beforeFlow = stopIfWanted;
+    return setting;
   };
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
@@ -206,7 +208,7 @@ void stylize(const Options& given, const Observer& observer) {
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopIfWanted), setting(size.exemplarMaskPixels));
+      flowReader(inputs.sourceFlow, stopIfWanted), settingFor(size.exemplarMaskPixels));
   requireMaterial(options, sourceGuides);
   GuideStream guides(
       frameCount,
@@ -215,7 +217,7 @@ void stylize(const Options& given, const Observer& observer) {
         return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopIfWanted), setting(size.targetMaskPixels));
+      flowReader(inputs.targetFlow, stopIfWanted), settingFor(size.targetMaskPixels));
   tell(observer, memoryNote(options, size));
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
@@ -265,10 +267,12 @@ void stylize(const Options& given, const Observer& observer) {
     observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)]});
   };
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
+  lock.setUnfinished(true);
   paintSavingState(journal, [&] {
     goOn(stages.guide, start, stopping, synthesizer);
     runFrames(painter.painted(), stages, shares, events);
   });
+  lock.setUnfinished(false);
 }
 
 }  // namespace fluidymation

@@ -13,7 +13,8 @@ namespace fluidymation {
 RunLock::~RunLock() {
   const bool wasTaken = lock_.has_value();
   lock_.reset();
-  if (wasTaken) rmdir(files_.hiddenFolder().c_str());  // fails where something is in it
+  if (wasTaken && !unfinished_)
+    rmdir(files_.hiddenFolder().c_str());  // fails where something is in it
 }
 
 void RunLock::takeIfUsed() {

@@ -15,7 +15,7 @@ class RunLock {
   explicit RunLock(RunFiles files) : files_(std::move(files)) {}
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
-  /// Frees the lock; the hidden folder goes where nothing is in it.
+  /// Frees the lock; the hidden folder goes where nothing is in it, unless frames are unfinished.
   ~RunLock();
 
   /// Takes the lock where another run may have been before, and creates nothing elsewhere.
@@ -29,12 +29,18 @@ class RunLock {
   /// @return  one sentence for the user where such a run was found; else empty.
   [[nodiscard]] std::string take();
 
+  /// Whether frames are at work. A run that ends while they are leaves the hidden folder even where
+  /// it could not save anything in it: the next one sees from it that these frames are no pictures
+  /// of somebody else's.
+  void setUnfinished(bool unfinished) { unfinished_ = unfinished; }
+
  private:
   /// @return  whether the folder is there: the run that made it may just have removed it.
   bool lockIfThere();
 
   RunFiles files_;
   std::optional<FileLock> lock_;
+  bool unfinished_ = false;
 };
 
 }  // namespace fluidymation

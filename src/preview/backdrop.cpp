@@ -22,19 +22,25 @@ namespace {
   return -1;
 }
 
-/// The picture scaled until it fills `size`, its middle.
+/// The middle of the picture that has the shape of `size`, scaled to it.
 [[nodiscard]] Image<Rgb> fillingMiddle(const Image<Rgb>& picture, Size size) {
   const double scale = std::max(static_cast<double>(size.width) / picture.width(),
                                 static_cast<double>(size.height) / picture.height());
-  const Size scaled{std::max(size.width, static_cast<int>(std::lround(scale * picture.width()))),
-                    std::max(size.height, static_cast<int>(std::lround(scale * picture.height())))};
-  return spread(resize(picture, scaled), size);
+  const auto shown = [scale](int length, int most) {
+    return std::clamp(static_cast<int>(std::lround(length / scale)), 1, most);
+  };
+  const Size part{shown(size.width, picture.width()), shown(size.height, picture.height())};
+  const int x = (picture.width() - part.width) / 2;
+  const int y = (picture.height() - part.height) / 2;
+  return resize(cropped(picture, {x, y, x + part.width, y + part.height}), size);
 }
 
-[[nodiscard]] Image<Rgb> exemplarSurface(const Inputs& inputs) {
-  const MaskChannel channel = maskChannel(inputs.sourceMask, [] {});
+[[nodiscard]] Image<Rgb> exemplarSurface(const Inputs& inputs,
+                                         const std::function<void()>& beforeFile) {
+  const MaskChannel channel = maskChannel(inputs.sourceMask, beforeFile);
   BareSurface surface(inputs.color.scaled);
   for (int k = 0; k < inputs.color.files.count(); ++k) {
+    beforeFile();
     surface.add(readPicture(inputs.color, k), readMask(inputs.sourceMask, channel, k).coverage);
   }
   if (surface.known()) return surface.filled();
@@ -63,9 +69,10 @@ std::optional<Rgb> colorOf(const std::string& text) {
   return Rgb{channels[0], channels[1], channels[2]};
 }
 
-Image<Rgb> backdrop(const std::string& text, const Inputs& inputs, Size size) {
+Image<Rgb> backdrop(const std::string& text, const Inputs& inputs, Size size,
+                    const std::function<void()>& beforeFile) {
   if (const std::optional<Rgb> color = colorOf(text)) return Image<Rgb>(size, *color);
-  if (text == "exemplar") return spread(exemplarSurface(inputs), size);
+  if (text == "exemplar") return spread(exemplarSurface(inputs, beforeFile), size);
   std::error_code ignored;
   if (!std::filesystem::exists(text, ignored)) {
     throw UsageError("--preview-background " + text +

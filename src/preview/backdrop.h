@@ -18,6 +18,9 @@ namespace fluidymation {
 /// @param size  of the target's frames.
 /// @throws UsageError where the text is neither a colour nor a file; Error naming a file that
 /// cannot be read, or saying that no surface is bare.
-[[nodiscard]] Image<Rgb> backdrop(const std::string& text, const Inputs& inputs, Size size);
+/// @param beforeFile  called before each file of the exemplar; may throw to stop.
+[[nodiscard]] Image<Rgb> backdrop(
+    const std::string& text, const Inputs& inputs, Size size,
+    const std::function<void()>& beforeFile = [] {});
 
 }  // namespace fluidymation

@@ -19,6 +19,7 @@
 #include "pipeline/inputs.h"
 #include "pipeline/outputs.h"
 #include "pipeline/protected_files.h"
+#include "pipeline/starting_point.h"
 #include "preview/backdrop.h"
 #include "preview/sheet.h"
 #include "preview/video.h"
@@ -57,8 +58,14 @@ enum class Format { kSheet, kAnimatedPng, kGif, kMp4 };
 }
 
 /// @throws UsageError where the preview would replace what is read or painted.
-void requireApart(const Options& options, const std::string& path) {
+void requireApart(const Options& options, const PreviewOptions& preview) {
+  const std::string& path = preview.path;
   const std::string option = "--preview " + path;
+  std::error_code ignored;
+  if (preview.background && (canonical(path) == canonical(*preview.background) ||
+                             fs::equivalent(path, *preview.background, ignored))) {
+    throw UsageError(option + ": is the picture of --preview-background; choose another name");
+  }
   if (ProtectedFiles(options).contains(path)) {
     throw UsageError(option + ": is an input and would be overwritten; choose another name");
   }
@@ -77,23 +84,14 @@ void requireApart(const Options& options, const std::string& path) {
   }
 }
 
+/// @throws Interrupted
+void requireNotCancelled(const std::function<bool()>& cancelled) {
+  if (cancelled && cancelled()) throw Interrupted("interrupted; the preview is not written");
+}
+
 [[nodiscard]] std::string folderOf(const std::string& path) {
   const fs::path parent = fs::path(path).parent_path();
   return parent.empty() ? "." : parent.string();
-}
-
-/// Frames of the target that the run paints: from begin to end - 1, by index.
-[[nodiscard]] std::pair<int, int> paintedSpan(const Options& options, const FrameFiles& files) {
-  const std::optional<FrameNumbers>& render = options.continuation.render;
-  int begin = 0;
-  int end = files.count();
-  const auto isWanted = [&](int i) {
-    const int number = files.numbers[at(i)];
-    return !render || (number >= render->first && number <= render->last);
-  };
-  while (begin < end && !isWanted(begin)) ++begin;
-  while (end > begin && !isWanted(end - 1)) --end;
-  return {begin, end};
 }
 
 /// Painted pixels over the backdrop, which has their size.
@@ -139,6 +137,7 @@ struct Preview::Content {
   int begin;  ///< of the frames that are painted, by index
   int end;
   Image<Rgb> backdrop;  ///< of the target's size
+  std::function<bool()> cancelled;
   MaskChannel targetChannel = MaskChannel::kBrightness;
   int written = 0;  ///< since the last refresh
 
@@ -158,6 +157,7 @@ struct Preview::Content {
 
   /// What is shown of a frame.
   [[nodiscard]] Image<Rgb> cell(int index) const {
+    stopIfWanted();
     const std::string path = framePath(index);
     const Image<Rgba> frame = readPng(path);
     if (frame.size() != backdrop.size()) {
@@ -172,14 +172,17 @@ struct Preview::Content {
         fitted({film.width * size.height / film.height, size.height}, longestSidePx(format));
     std::vector<Image<Rgb>> row;
     const int k = index % inputs.color.files.count();
-    row.push_back(resize(readPicture(inputs.color, k), {filmCell.width, size.height}));
+    row.push_back(resize(readPicture(inputs.color, k), filmCell));
     row.push_back(
         grayPicture(resize(readMask(inputs.target, targetChannel, index).coverage, size)));
     row.push_back(std::move(painted));
     return besideEachOther(row);
   }
 
+  void stopIfWanted() const { requireNotCancelled(cancelled); }
+
   void write(const std::vector<int>& all, int most) const {
+    if (all.empty()) return;
     createFolder(folderOf(options.path));
     const std::vector<int> places = evenly(static_cast<int>(all.size()), most);
     if (format == Format::kSheet) {
@@ -199,18 +202,20 @@ struct Preview::Content {
   }
 };
 
-Preview::Preview(const Options& options, const PreviewOptions& preview) {
+Preview::Preview(const Options& options, const PreviewOptions& preview,
+                 const std::function<bool()>& cancelled) {
+  const auto stopIfWanted = [&cancelled] { requireNotCancelled(cancelled); };
   const Format format = formatOf(preview.path);
-  requireApart(options, preview.path);
+  requireApart(options, preview);
   checkFolderCreatable(folderOf(preview.path));
   checkReplaceable(preview.path);
   Inputs inputs = openInputs(options, Observer{});
-  Image<Rgb> surface =
-      backdrop(preview.background.value_or(kDefaultBackground), inputs, inputs.target.scaled);
-  const auto [begin, end] = paintedSpan(options, inputs.target.files);
+  Image<Rgb> surface = backdrop(preview.background.value_or(kDefaultBackground), inputs,
+                                inputs.target.scaled, stopIfWanted);
+  const auto [begin, end] = wantedFrames(options, inputs.target.files.numbers);
   content_.reset(new Content{std::move(inputs), FramePattern(options.outPath), preview, format,
-                             begin, end, std::move(surface)});
-  if (preview.beside) content_->targetChannel = maskChannel(content_->inputs.target, [] {});
+                             begin, end, std::move(surface), cancelled});
+  if (preview.beside) content_->targetChannel = maskChannel(content_->inputs.target, stopIfWanted);
 }
 
 Preview::~Preview() = default;

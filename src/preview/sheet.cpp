@@ -31,8 +31,12 @@ Size fitted(Size size, int longest) {
 Image<Rgb> besideEachOther(const std::vector<Image<Rgb>>& pictures) {
   assert(!pictures.empty());
   int width = 0;
-  for (const Image<Rgb>& picture : pictures) width += picture.width() + kGapPx;
-  Image<Rgb> all({width - kGapPx, pictures.front().height()}, kGapColor);
+  int height = 0;
+  for (const Image<Rgb>& picture : pictures) {
+    width += picture.width() + kGapPx;
+    height = std::max(height, picture.height());
+  }
+  Image<Rgb> all({width - kGapPx, height}, kGapColor);
   int left = 0;
   for (const Image<Rgb>& picture : pictures) {
     place(picture, left, 0, all);

@@ -30,6 +30,18 @@ TEST(EndToEndExisting, OwnFramesAreReplacedAndOthersAreNot) {
   EXPECT_EQ(scene.painting({{"--seed", "1"}, {"--overwrite", ""}}), first);
 }
 
+TEST(EndToEndExisting, WhatWasWorkedOnAfterTheRunIsNotReplacedByGoingOnOrRestarting) {
+  const SmallScene scene;
+  (void)scene.painting({});
+  for (const char* option : {"--resume", "--restart"}) {
+    scene.write("out/00002.png", kPicture);
+    EXPECT_TRUE(failedNaming(1, "out/00002.png: is there already", {"--overwrite"},
+                             scene.paint({{option, ""}, {"--quiet", ""}})))
+        << option;
+    EXPECT_EQ(scene.read("out/00002.png"), kPicture);
+  }
+}
+
 TEST(EndToEndExisting, APictureWithoutAManifestIsNotReplaced) {
   const SmallScene scene;
   scene.write("out/00004.png", kPicture);

@@ -63,7 +63,7 @@ TEST(EndToEndInspect, PicturesReplaceNoInput) {
                          inspected(scene, quietly(options))));
 }
 
-TEST(EndToEndInspect, ListsAllFaultsWherePaintingNamesTheFirst) {
+TEST(EndToEndInspect, ListsAllFaultsOfTheFiles) {
   const SmallScene scene;
   scene.write("src/00002.png", {});
   scene.remove("mask/00003.png");

@@ -24,5 +24,9 @@ TEST(ResumeCommand, QuotesWhatAShellWouldTakeApart) {
             "build/fluidymation --out-path 'my film/%d.png' '' 'it'\\''s' '$HOME' 'a;b' --resume");
 }
 
+TEST(ResumeCommand, KeepsWhatGoesOnByItself) {
+  EXPECT_EQ(commandAfter({"--skip-existing"}), "build/fluidymation --skip-existing");
+}
+
 }  // namespace
 }  // namespace fluidymation::cli

@@ -42,6 +42,7 @@ class RecordStore {
   template <typename Value>
   [[nodiscard]] std::vector<Value> get(Record record) const {
     static_assert(std::is_trivially_copyable_v<Value>);
+    assert(!entries_[record].isDropped);
     const std::size_t bytes = byteCount(record);
     assert(bytes % sizeof(Value) == 0);
     std::vector<Value> values(bytes / sizeof(Value));
@@ -61,6 +62,7 @@ class RecordStore {
     std::size_t byteCount = 0;
     std::vector<std::uint8_t> inMemory;
     std::optional<std::uint64_t> onDisk;  ///< where it begins, unless it is in memory
+    bool isDropped = false;
   };
 
   Record addBytes(const void* data, std::size_t byteCount);
