@@ -16,13 +16,15 @@ struct PreviewOptions {
   std::optional<std::string> background;  ///< a colour, a PNG file or "exemplar"
   bool beside = false;                    ///< exemplar and mask beside the frames
   std::optional<int> every;               ///< written anew after so many frames
+  std::optional<std::string> configFile;  ///< options were read from it: not to be replaced
 };
 
 /// What frames are laid over where no background is given: paper.
 inline constexpr const char* kDefaultBackground = "#F4F1E8";
 
 /// Shows the frames of a run, which it reads from the disk; it never changes them. Of the frames
-/// one is in memory at a time, at the target's size.
+/// one is in memory at a time, at the target's size. Who makes films by ffmpeg has to ignore
+/// SIGPIPE, as the tool does: ffmpeg may end while it is fed.
 class Preview {
  public:
   /// A preview that is refreshed while a run goes on shows so many frames at most, evenly chosen of

@@ -247,6 +247,7 @@ CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* 
   if (files.size() == 1) {  // else it is refused below
     applyOption(specOf("--config", table), files, assigned.count("--config") > 0, line);
     given = applyConfig(*line.configFile, table, line);
+    line.preview.configFile = line.configFile;
   }
   Names givenHere;
   for (const Spec& spec : table) {

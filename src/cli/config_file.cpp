@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "cli/nearest.h"
@@ -35,6 +36,10 @@ constexpr const char* kBlanks = " \t\r";
     throw Error(path + ": cannot be read; wanted a config file");
   }
   if (text.size() > kMostBytes) throw Error(path + ": is too large; wanted a config file");
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
+  if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) {
+    text.erase(0, kByteOrderMark.size());
+  }
   return text;
 }
 

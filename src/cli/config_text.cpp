@@ -37,7 +37,9 @@ namespace {
 
 std::string configText(const std::vector<Spec>& table, const CommandLine& line) {
   std::string text = "# Options of fluidymation " + version() + ", for --config.\n" +
-                     "# \"auto\", \"size\": found from the inputs when a run begins.\n";
+                     "# \"auto\", \"size\": found from the inputs when a run begins.\n"
+                     "# All values are written out: another preset here changes only those whose "
+                     "lines are taken out.\n";
   std::string group;
   for (const Spec& spec : table) {
     if (!spec.text) continue;

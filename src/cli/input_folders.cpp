@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/values.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/frame_folder.h"
 #include "fluidymation/option_ranges.h"
@@ -64,7 +65,15 @@ void resolvePath(const std::string& option, const std::vector<std::string>& endi
 }  // namespace
 
 void checkInputPath(const std::string& option, const std::string& path) {
-  if (!isFolder(path)) checkPattern(option, path);
+  if (isFolder(path)) return;
+  constexpr const char* kWanted =
+      "; wanted a folder of frames, or a path with one frame number, e.g. frames/%05d.png";
+  std::error_code ignored;
+  if (path.find_first_of("%#") == std::string::npos && std::filesystem::exists(path, ignored)) {
+    throw UsageError(shown(option, path) + ": is a single file" + kWanted);
+  }
+  if (looksLikeFolder(path)) throw UsageError(shown(option, path) + ": no such folder" + kWanted);
+  checkPattern(option, path);
 }
 
 void checkOutputPath(const std::string& option, const std::string& path) {

@@ -115,7 +115,10 @@ std::int64_t parseBytes(const std::string& option, const std::string& text, std:
   constexpr double kMostBytes = 9e15;  // every whole number up to there is a double
   const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
   const std::optional<double> number = parseWhole<double>(text.substr(0, digits));
-  const std::string unit = text.substr(digits);
+  std::string unit = text.substr(digits);
+  if (!unit.empty() && unit[0] >= 'a' && unit[0] <= 'z') {
+    unit[0] = static_cast<char>(unit[0] - 'a' + 'A');
+  }
   constexpr std::string_view kUnits = "KMGT";
   double factor = 1.0;
   bool known = unit.empty();
@@ -131,7 +134,7 @@ std::int64_t parseBytes(const std::string& option, const std::string& text, std:
     return static_cast<std::int64_t>(bytes);
   }
   throw UsageError(shown(option, text) + ": wanted a size of at least " +
-                   std::to_string(least >> 20) + "M, e.g. 800M or 4G");
+                   std::to_string(least >> 20) + "M, with K, M, G or T, e.g. 800M or 4G");
 }
 
 std::vector<int> parseIntList(const std::string& option, const std::string& text,

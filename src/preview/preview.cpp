@@ -69,6 +69,10 @@ void requireApart(const Options& options, const PreviewOptions& preview) {
   if (ProtectedFiles(options).contains(path)) {
     throw UsageError(option + ": is an input and would be overwritten; choose another name");
   }
+  if (preview.configFile && (canonical(path) == canonical(*preview.configFile) ||
+                             fs::equivalent(path, *preview.configFile, ignored))) {
+    throw UsageError(option + ": is the file of --config; choose another name");
+  }
   const fs::path file = canonical(path);
   const FramePattern frames(options.outPath);
   if (file.parent_path() == canonical(frames.folder()) &&
@@ -197,7 +201,7 @@ struct Preview::Content {
       writeAnimatedPng(options.path, count, kFramesPerSecond, picture);
     } else {
       writeVideo(options.path, format == Format::kGif ? VideoFormat::kGif : VideoFormat::kMp4,
-                 count, kFramesPerSecond, picture);
+                 count, kFramesPerSecond, picture, [this] { stopIfWanted(); });
     }
   }
 };

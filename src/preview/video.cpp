@@ -1,20 +1,25 @@
 #include "preview/video.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -34,34 +39,46 @@ constexpr const char* kProgram = "ffmpeg";
               ")");
 }
 
+/// How often is asked, while ffmpeg is waited for, whether to stop.
+constexpr int kPatienceMs = 50;
+
 /// ffmpeg, reading raw pictures from a pipe. Ended and waited for by its destructor at the latest.
 class Encoder {
  public:
-  Encoder(std::string path, const std::vector<std::string>& arguments)
-      : path_(std::move(path)), messages_(std::tmpfile(), std::fclose) {
+  /// @param stopIfWanted  called while ffmpeg is waited for; may throw.
+  Encoder(std::string path, const std::vector<std::string>& arguments,
+          const std::function<void()>& stopIfWanted)
+      : path_(std::move(path)),
+        stopIfWanted_(stopIfWanted),
+        messages_(std::tmpfile(), std::fclose) {
     std::array<int, 2> ends{};
     if (!messages_ || pipe2(ends.data(), O_CLOEXEC) != 0) failToRun(path_, errno);
     input_ = ends[1];
     const int failure = start(arguments, ends[0]);
     close(ends[0]);
-    if (failure == 0) return;
+    // A program that reads nothing must not hold us
+    if (failure == 0 && fcntl(input_, F_SETFL, O_NONBLOCK) == 0) return;
+    const int reason = failure != 0 ? failure : errno;
     close(input_);
-    failToRun(path_, failure);
+    endNow();
+    failToRun(path_, reason);
   }
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
   ~Encoder() {
-    if (process_ <= 0) return;
-    kill(process_, SIGKILL);
-    (void)end();
+    if (input_ >= 0) close(input_);
+    endNow();
   }
 
   /// @return  false where it reads no more: its end says why.
   [[nodiscard]] bool feed(const std::vector<std::uint8_t>& bytes) const {
     std::size_t written = 0;
     while (written < bytes.size()) {
+      pollfd room{input_, POLLOUT, 0};
+      stopIfWanted_();
+      if (poll(&room, 1, kPatienceMs) <= 0) continue;
       const ssize_t count = write(input_, bytes.data() + written, bytes.size() - written);
-      if (count < 0 && errno == EINTR) continue;
+      if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
       if (count <= 0) return false;
       written += static_cast<std::size_t>(count);
     }
@@ -70,7 +87,14 @@ class Encoder {
 
   /// Lets it finish. @throws Error with its last words unless it did so well.
   void finish() {
-    const int status = end();
+    close(input_);
+    input_ = -1;
+    int status = 0;
+    while (waitpid(process_, &status, WNOHANG) == 0) {
+      stopIfWanted_();
+      std::this_thread::sleep_for(std::chrono::milliseconds(kPatienceMs));
+    }
+    process_ = -1;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     throw Error(path_ + ": " + kProgram + " failed (" + lastWords() + ")");
   }
@@ -106,13 +130,13 @@ class Encoder {
     return failure;
   }
 
-  int end() {
-    close(input_);
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  /// Ends it, and what it may have started, however it is.
+  void endNow() {
+    if (process_ <= 0) return;
+    kill(-process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
-    return status;
   }
 
   /// The last line of its messages that is not empty.
@@ -131,6 +155,7 @@ class Encoder {
   }
 
   std::string path_;
+  const std::function<void()>& stopIfWanted_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> messages_;
   int input_ = -1;
   pid_t process_ = -1;
@@ -181,18 +206,24 @@ bool hasFfmpeg() {
 }
 
 void writeVideo(const std::string& path, VideoFormat format, int frameCount, int framesPerSecond,
-                const std::function<Image<Rgba8>(int frame)>& frame) {
+                const std::function<Image<Rgba8>(int frame)>& frame,
+                const std::function<void()>& stopIfWanted) {
   replaceAtomically(path, [&](const std::string& temporary) {
     std::optional<Encoder> encoder;
-    for (int i = 0; i < frameCount; ++i) {
+    bool readsAll = true;
+    for (int i = 0; i < frameCount && readsAll; ++i) {
       const Image<Rgba8> picture = frame(i);
       assert(picture.width() % 2 == 0 && picture.height() % 2 == 0);
       if (!encoder) {
-        encoder.emplace(path, argumentsFor(format, picture.size(), framesPerSecond, temporary));
+        encoder.emplace(path, argumentsFor(format, picture.size(), framesPerSecond, temporary),
+                        stopIfWanted);
       }
-      if (!encoder->feed(rawBytes(picture))) break;
+      readsAll = encoder->feed(rawBytes(picture));
     }
     if (encoder) encoder->finish();
+    if (!readsAll) {
+      throw Error(path + ": " + kProgram + " ended before it had read all pictures");
+    }
   });
 }
 

@@ -149,12 +149,16 @@ TEST(CommandLine, BadValuesAreNamedWithWhatIsWanted) {
       {"--compression-level", "best", ": wanted a whole number in [0, 9]"},
       {"--threads", "0", ": wanted a whole number in [1, 1024]"},
       {"--threads", "1025", ": wanted a whole number in [1, 1024]"},
-      {"--max-memory", "4X", ": wanted a size of at least 16M, e.g. 800M or 4G"},
-      {"--max-memory", "G", ": wanted a size of at least 16M, e.g. 800M or 4G"},
-      {"--max-memory", "-4G", ": wanted a size of at least 16M, e.g. 800M or 4G"},
-      {"--max-memory", "1e300T", ": wanted a size of at least 16M, e.g. 800M or 4G"},
-      {"--max-memory", "16777215", ": wanted a size of at least 16M, e.g. 800M or 4G"},
-      {"--max-memory", "90000T", ": wanted a size of at least 16M, e.g. 800M or 4G"},
+      {"--max-memory", "4X", ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
+      {"--max-memory", "G", ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
+      {"--max-memory", "-4G",
+       ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
+      {"--max-memory", "1e300T",
+       ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
+      {"--max-memory", "16777215",
+       ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
+      {"--max-memory", "90000T",
+       ": wanted a size of at least 16M, with K, M, G or T, e.g. 800M or 4G"},
   };
   for (const auto& c : cases) {
     const std::string expected = std::string(c.option) + " " + c.value + c.wanted;

@@ -71,6 +71,14 @@ TEST(InputFolders, LeaveToTheUserWhatTheUserSays) {
   EXPECT_EQ(backwards.target.speed, -1);
 }
 
+TEST(InputFolders, MissingOnesAndSingleFilesAreTold) {
+  const std::string wanted =
+      "; wanted a folder of frames, or a path with one frame number, e.g. frames/%05d.png";
+  EXPECT_EQ(complaint({"--src-path", "no/film"}), "--src-path no/film: no such folder" + wanted);
+  EXPECT_EQ(complaint({"--target-path", "/proc/self/stat"}),
+            "--target-path /proc/self/stat: is a single file" + wanted);
+}
+
 TEST(InputFolders, OutputMayBeAFolder) {
   const Folders folders;
   EXPECT_EQ(folders.parsed({}, "new/").outPath, folders.file("new/%05d.png"));

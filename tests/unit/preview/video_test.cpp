@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <functional>
 #include <string>
 
 #include "fluidymation/core/error.h"
@@ -26,10 +30,14 @@ class Video : public ::testing::Test {
 
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
 
-  void write(int frames) const {
-    writeVideo(file("film $(touch x).mp4"), VideoFormat::kMp4, frames, 12, [](int frame) {
-      return Image<Rgba8>({4, 2}, Rgba8{static_cast<std::uint8_t>(frame), 1, 2, 255});
-    });
+  void write(
+      int frames, const std::function<void()>& stopIfWanted = [] {}) const {
+    writeVideo(
+        file("film $(touch x).mp4"), VideoFormat::kMp4, frames, 12,
+        [](int frame) {
+          return Image<Rgba8>({4, 2}, Rgba8{static_cast<std::uint8_t>(frame), 1, 2, 255});
+        },
+        stopIfWanted);
   }
 
   [[nodiscard]] std::string text(const std::string& name) const {
@@ -65,6 +73,31 @@ TEST_F(Video, AProgramThatReadsNoFurtherIsNoSignal) {
   install("echo full >&2; exit 1");
   EXPECT_EQ(test::messageOf<Error>([&] { write(20000); }),
             file("film $(touch x).mp4") + ": ffmpeg failed (full)");
+}
+
+TEST_F(Video, AProgramThatEndsEarlyHasFailedWhateverItSays) {
+  std::signal(SIGPIPE, SIG_IGN);
+  test::writeBytes(file("film $(touch x).mp4"), {1, 2, 3});
+  install("exit 0");
+  EXPECT_EQ(test::messageOf<Error>([&] { write(20000); }),
+            file("film $(touch x).mp4") + ": ffmpeg ended before it had read all pictures");
+  EXPECT_EQ(test::readBytes(file("film $(touch x).mp4")), (test::Bytes{1, 2, 3}));
+}
+
+TEST_F(Video, AProgramThatHangsIsEndedWhenThatIsWanted) {
+  // Reading nothing, and reading all
+  for (const char* script : {"sleep 600", "cat > /dev/null; sleep 600"}) {
+    SCOPED_TRACE(script);
+    install("echo $$ > " + file("process") + "; " + script);
+    std::remove(file("process").c_str());
+    const auto stopsOnceItRuns = [this, begin = std::chrono::steady_clock::now()] {
+      const bool runs = access(file("process").c_str(), F_OK) == 0 && text("process").size() > 1;
+      const auto waited = std::chrono::steady_clock::now() - begin;
+      if (runs && waited > std::chrono::milliseconds(200)) throw Interrupted("enough");
+    };
+    EXPECT_THROW(write(20000, stopsOnceItRuns), Interrupted);
+    EXPECT_NE(kill(std::stoi(text("process")), 0), 0) << "it goes on";
+  }
 }
 
 TEST_F(Video, IsNotThereWhereThePathHasNone) {
