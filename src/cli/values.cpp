@@ -122,8 +122,8 @@ std::int64_t parseBytes(const std::string& option, const std::string& text, std:
   constexpr std::string_view kUnits = "KMGT";
   double factor = 1.0;
   bool known = unit.empty();
-  for (std::size_t i = 0; i < kUnits.size(); ++i) {
-    const std::string letter(1, kUnits[i]);
+  for (const char c : kUnits) {
+    const std::string letter(1, c);
     factor *= 1024.0;
     if (unit != letter && unit != letter + "B" && unit != letter + "iB") continue;
     known = true;

@@ -11,22 +11,22 @@ namespace {
 
 using MovingFrame = BackwardMotion::MovingFrame;
 
-std::vector<Vec2> oneFrameEarlier(const MovingFrame& next, const std::vector<Vec2>& ofNext,
+std::vector<Vec2> oneFrameEarlier(const MovingFrame& later, const std::vector<Vec2>& ofLater,
                                   const MovingFrame& frame) {
-  return accumulateBackward(next.mask, ofNext, next.flow, frame.mask, frame.flow);
+  return accumulateBackward(later.mask, ofLater, later.flow, frame.mask, frame.flow);
 }
 
 }  // namespace
 
 BackwardMotion::BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store)
     : store_(store), frameCount_(frameCount), firstOfBlocks_(at(blockCount())) {
-  MovingFrame frame = frameOf(frameCount - 1);
-  std::vector<Vec2> motion(frame.flow.size());
+  MovingFrame later = frameOf(frameCount - 1);
+  std::vector<Vec2> motion(later.flow.size());
   for (int i = frameCount - 1; i > 0; --i) {
     if (i % kStoredEvery == 0) firstOfBlocks_[at(i / kStoredEvery)] = store_.add(motion);
-    MovingFrame earlier = frameOf(i - 1);
-    motion = oneFrameEarlier(frame, motion, earlier);
-    frame = std::move(earlier);
+    MovingFrame frame = frameOf(i - 1);
+    motion = oneFrameEarlier(later, motion, frame);
+    later = std::move(frame);
   }
 }
 

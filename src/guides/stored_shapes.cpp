@@ -73,7 +73,7 @@ PackedShape StoredShapes::shape(int frame) const {
   const Stored& stored = of(frame);
   PackedMask mask(size_, store_.get<std::uint64_t>(stored.mask));
   if (!stored.outline) return PackedShape(std::move(mask));
-  return PackedShape(std::move(mask), Outline(store_.get<std::uint16_t>(*stored.outline)));
+  return {std::move(mask), Outline(store_.get<std::uint16_t>(*stored.outline))};
 }
 
 bool StoredShapes::hasEdge(int frame) const {

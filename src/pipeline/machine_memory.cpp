@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -27,9 +28,10 @@ std::int64_t limitIn(const std::string& path) {
 /// The least limit of a group and those above it. In a container the path may be one that only the
 /// host knows: then the root's own files are those of the container.
 std::int64_t leastLimit(const std::string& root, std::string group, const std::string& file) {
-  std::int64_t least = limitIn(root + "/" + file);
+  const std::filesystem::path folder(root);
+  std::int64_t least = limitIn((folder / file).string());
   while (group.size() > 1 && group.front() == '/') {
-    least = std::min(least, limitIn(root + group + "/" + file));
+    least = std::min(least, limitIn((folder / group.substr(1) / file).string()));
     group.erase(group.rfind('/'));
   }
   return least;

@@ -191,6 +191,7 @@ struct Preview::Content {
     const std::vector<int> places = evenly(static_cast<int>(all.size()), most);
     if (format == Format::kSheet) {
       std::vector<Image<Rgb>> cells;
+      cells.reserve(places.size());
       for (const int place : places) cells.push_back(cell(all[at(place)]));
       writePng(options.path, evenPicture(inRows(cells)));
       return;
@@ -217,8 +218,9 @@ Preview::Preview(const Options& options, const PreviewOptions& preview,
   Image<Rgb> surface = backdrop(preview.background.value_or(kDefaultBackground), inputs,
                                 inputs.target.scaled, stopIfWanted);
   const auto [begin, end] = wantedFrames(options, inputs.target.files.numbers);
-  content_.reset(new Content{std::move(inputs), FramePattern(options.outPath), preview, format,
-                             begin, end, std::move(surface), cancelled});
+  content_ =
+      std::make_unique<Content>(Content{std::move(inputs), FramePattern(options.outPath), preview,
+                                        format, begin, end, std::move(surface), cancelled});
   if (preview.beside) content_->targetChannel = maskChannel(content_->inputs.target, stopIfWanted);
 }
 
