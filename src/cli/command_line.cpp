@@ -43,6 +43,7 @@ constexpr const char* kVersion = "--version";
 
 [[nodiscard]] std::vector<std::string> namesOf(const std::vector<Spec>& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const Spec& spec : table) names.push_back(spec.name);
   return names;
 }
@@ -140,7 +141,11 @@ void requireOneChoice(const Names& given) {
     if (given.count(prefix + "-range") == 0) continue;
     for (const char* other : {"-start", "-frames", "-speed"}) {
       if (given.count(prefix + other) == 0) continue;
-      throw UsageError(prefix + "-range, " + prefix + other + ": wanted one of them at most");
+      std::string message = prefix;
+      message += "-range, ";
+      message += prefix;
+      message += other;
+      throw UsageError(message + ": wanted one of them at most");
     }
   }
 }

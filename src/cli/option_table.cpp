@@ -21,6 +21,8 @@ constexpr const char* kMasks = "Masks and motion";
 constexpr const char* kGuides = "Guides";
 constexpr const char* kSynthesis = "Synthesis";
 
+constexpr const char* kSizeWord = "size";  ///< of --border-width: by the film's size
+
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
   table.add({"--preset", kLook, "NAME",
@@ -71,7 +73,6 @@ void addMasksAndMotion(Table& table) {
 
 /// A number, or a rule that finds one.
 void addBorderWidth(Table& table) {
-  constexpr const char* kSizeWord = "size";
   table.add(
       {"--border-width", kGuides, "X",
        "width of the border segment; auto: measured, where the film's\ncolours stop depending on "
