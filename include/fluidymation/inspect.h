@@ -18,12 +18,12 @@ struct Inspection {
 };
 
 /// Looks at everything that a run with these options would read, and paints nothing.
-/// @param options  as for `stylize`; `outPath` may be empty, and is checked where it is not.
+/// @param given  as for `stylize`; `outPath` may be empty, and is checked where it is not.
 /// @param guidesFolder  where pictures of the guides are written, if that is wanted.
 /// @param observer  `cancelled` is asked before each file.
 /// @throws UsageError for options that `validate` refuses, and where a picture would replace an
 /// input; Error naming a picture that cannot be written; Interrupted.
-[[nodiscard]] Inspection inspect(const Options& options,
+[[nodiscard]] Inspection inspect(const Options& given,
                                  const std::optional<std::string>& guidesFolder,
                                  const Observer& observer);
 

@@ -130,7 +130,7 @@ void tellOfSpeed(const KnownRun& run, std::vector<std::string>& lines) {
   const double exemplar = typicalBorderSpeed(run.exemplar);
   if (typicalBorderSpeed(run.target) <= 0.0) return;
   if (exemplar <= 0.0) {
-    lines.push_back(
+    lines.emplace_back(
         "exemplar: its masks stand still, the animation moves; there is no motion to paint with: "
         "choose frames in which the medium spreads (--src-start, --src-frames)");
     return;

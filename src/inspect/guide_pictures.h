@@ -31,7 +31,7 @@ class GuidePictures {
   /// Writes them, into a folder that exists.
   /// @return  what full intensity stands for, one line.
   /// @throws Error naming the file.
-  std::string write(const std::string& stem, float borderWidthPx) const;
+  [[nodiscard]] std::string write(const std::string& stem, float borderWidthPx) const;
 
  private:
   struct Kept {

@@ -98,8 +98,10 @@ void writePictures(const Options& options, const std::string& folder, const std:
   const ProtectedFiles inputs(options);
   for (const std::string& path : pictures.paths(place)) {
     if (!inputs.contains(path)) continue;
-    throw UsageError("--guides " + folder + ": " + path +
-                     " is an input and would be overwritten; choose another folder");
+    std::string message = "--guides ";
+    message += folder;
+    message += ": " + path;
+    throw UsageError(message + " is an input and would be overwritten; choose another folder");
   }
   createFolder(place);
   const std::string scale = pictures.write(place, *options.borderWidthPx);

@@ -68,7 +68,7 @@ std::vector<std::string> reportLines(const Inputs& inputs, const KnownRun& run,
                   " px from the edge (--border-width auto); the border is " +
                   numberText(run.borderWidthPx) + " px wide");
   addSequence("animation", inputs.target, run.target, lines);
-  if (facts.drawsLines) lines.push_back("  lines being drawn: see --new-material");
+  if (facts.drawsLines) lines.emplace_back("  lines being drawn: see --new-material");
   if (!facts.chosenWidths.empty()) lines.push_back(facts.chosenWidths);
   lines.push_back("memory: at most " + memoryText(facts.mostBytes) + " (the limit is " +
                   memoryText(facts.limitBytes) + ")");

@@ -186,7 +186,10 @@ FolderSequence sequenceIn(const std::string& folder, const std::string& optionNa
   for (const std::string& text : numbers) {
     int number = 0;
     if (std::from_chars(text.data(), text.data() + text.size(), number).ec != std::errc{}) {
-      throw Error(begin + "the number " + text + " is too large; wanted none above 2147483647");
+      std::string message = begin;
+      message += "the number ";
+      message += text;
+      throw Error(message + " is too large; wanted none above 2147483647");
     }
     found.insert(number);
   }

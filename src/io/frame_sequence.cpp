@@ -258,8 +258,11 @@ Size commonSize(const FrameFiles& files) {
         firstPath = path;
       }
       if (size == *first) continue;
-      faulty.add(path + ": size " + sizeText(size) + ", but " + firstPath + " is " +
-                 sizeText(*first) + "; all frames of a sequence must have one size");
+      std::string fault = path;
+      fault += ": size " + sizeText(size);
+      fault += ", but " + firstPath;
+      faulty.add(fault + " is " + sizeText(*first) +
+                 "; all frames of a sequence must have one size");
     } catch (const Error& error) {
       faulty.add(error.what());
     }
