@@ -65,6 +65,7 @@ std::vector<int> evenly(int count, int most) {
   assert(most >= 2);
   std::vector<int> chosen;
   const int wanted = std::min(count, most);
+  chosen.reserve(static_cast<std::size_t>(wanted));
   for (int i = 0; i < wanted; ++i) {
     chosen.push_back(
         wanted == count ? i : static_cast<int>(std::int64_t{i} * (count - 1) / (wanted - 1)));
