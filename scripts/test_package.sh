@@ -19,14 +19,14 @@ take_no_options "$@"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 scripts/package.sh "$work/packages"
-mkdir -p "$work/root"
-cp "$work/packages"/*.deb "$work/root"
+mkdir -p "$work/tree"
+cp "$work/packages"/*.deb "$work/tree"
 # What is painted, where the packages are tried: a fresh Debian knows no clone.
-mkdir -p "$work/root/samples"
-cp -r samples/source/rust samples/target-mask/jump "$work/root/samples"
-cp -r tests/scripts/consumer "$work/root"
+mkdir -p "$work/tree/samples"
+cp -r samples/source/rust samples/target-mask/jump "$work/tree/samples"
+cp -r tests/scripts/consumer "$work/tree"
 
-cat >"$work/root/try.sh" <<'EOF'
+cat >"$work/tree/try.sh" <<'EOF'
 set -eux
 cd "$1"
 export DEBIAN_FRONTEND=noninteractive
@@ -56,17 +56,17 @@ for left in /usr/bin/fluidymation /usr/include/fluidymation /usr/lib/*/libfluidy
 done
 EOF
 
-dpkg-deb --info "$work/root"/fluidymation_*.deb
-dpkg-deb --contents "$work/root"/fluidymation_*.deb
+dpkg-deb --info "$work/tree"/fluidymation_*.deb
+dpkg-deb --contents "$work/tree"/fluidymation_*.deb
 if [ -n "$fresh" ]; then
   scripts/install_packages.sh chroot
   mmdebstrap --variant=apt bookworm "$work/debian"
-  mv "$work/root" "$work/debian/root/try"
-  chroot "$work/debian" sh /root/try/try.sh /root/try
-  digests=$work/debian/root/try/digests
+  mv "$work/tree" "$work/debian/opt/try"
+  chroot "$work/debian" sh /opt/try/try.sh /opt/try
+  digests=$work/debian/opt/try/digests
 else
-  sh "$work/root/try.sh" "$work/root"
-  digests=$work/root/digests
+  sh "$work/tree/try.sh" "$work/tree"
+  digests=$work/tree/digests
 fi
 
 # The same frames as from this clone's build.
