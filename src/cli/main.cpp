@@ -10,6 +10,7 @@
 #endif
 
 #include "cli/stop_signal.h"
+#include "cli/thread_waiting.h"
 #include "cli/tool.h"
 #include "fluidymation/pipeline.h"
 
@@ -41,6 +42,7 @@ void keepFreedMemory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fluidymation::cli::keepWaitingThreadsFromSpinning(argv);
   occupyStandardStreams();
   keepFreedMemory();
   // A closed terminal or pipe costs the progress lines, not the painting.

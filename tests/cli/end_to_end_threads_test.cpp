@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "support/environment.h"
+#include "support/process.h"
 #include "support/sanitizers.h"
 #include "support/small_scene.h"
 
@@ -74,6 +76,29 @@ TEST(EndToEndFrames, TheEnvironmentChangesNoByte) {
     EXPECT_TRUE(filesOf(scene.file("out")) == expected) << name << "=" << value;
   }
 }
+
+#ifndef __clang__  // whose OpenMP has other words
+/// What OpenMP prints of its settings before the program begins, the last time it does.
+std::string settingsOfOpenMp(const ProcessSetup& setup) {
+  const ProcessResult result = runProcess(FLUIDYMATION_PROGRAM, {"--version"}, setup);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const std::size_t last = result.err.rfind("OPENMP DISPLAY ENVIRONMENT BEGIN");
+  return last == std::string::npos ? "" : result.err.substr(last);
+}
+
+TEST(EndToEndThreads, WaitingThreadsDoNotSpinUnlessTheUserWantsIt) {
+  const EnvironmentVariable policy("OMP_WAIT_POLICY", nullptr);
+  const EnvironmentVariable spins("GOMP_SPINCOUNT", nullptr);
+  ProcessSetup setup;
+  setup.environment["OMP_DISPLAY_ENV"] = "verbose";
+  EXPECT_NE(settingsOfOpenMp(setup).find("GOMP_SPINCOUNT = '1000'"), std::string::npos);
+
+  setup.environment["OMP_WAIT_POLICY"] = "active";
+  const std::string wanted = settingsOfOpenMp(setup);
+  EXPECT_NE(wanted.find("OMP_WAIT_POLICY = 'ACTIVE'"), std::string::npos);
+  EXPECT_EQ(wanted.find("GOMP_SPINCOUNT = '1000'"), std::string::npos);
+}
+#endif
 
 }  // namespace
 }  // namespace fluidymation::test
