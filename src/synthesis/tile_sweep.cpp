@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace fluidymation {
 namespace {
@@ -311,21 +313,27 @@ class TileSweep {
 
 }  // namespace
 
-/// Tiles with at least one pixel inside the mask, in row order.
+/// Tiles with at least one pixel inside the mask, those with the most first: so that threads that
+/// share them end at about the same time. For the result their order is of no account.
 std::vector<Tile> occupiedTiles(const TargetLevel& target) {
   const Size size = target.size();
-  std::vector<Tile> tiles;
+  std::vector<std::pair<int, Tile>> counted;
   for (int top = 0; top < size.height; top += kTileSidePx) {
     for (int left = 0; left < size.width; left += kTileSidePx) {
       const Tile tile{left, top, std::min(left + kTileSidePx, size.width),
                       std::min(top + kTileSidePx, size.height)};
-      bool occupied = false;
-      for (int y = tile.top; y < tile.bottom && !occupied; ++y) {
-        for (int x = tile.left; x < tile.right && !occupied; ++x) occupied = target.inside(x, y);
+      int inside = 0;
+      for (int y = tile.top; y < tile.bottom; ++y) {
+        for (int x = tile.left; x < tile.right; ++x) inside += target.inside(x, y) ? 1 : 0;
       }
-      if (occupied) tiles.push_back(tile);
+      if (inside > 0) counted.emplace_back(inside, tile);
     }
   }
+  std::stable_sort(counted.begin(), counted.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Tile> tiles;
+  tiles.reserve(counted.size());
+  for (const auto& [inside, tile] : counted) tiles.push_back(tile);
   return tiles;
 }
 
