@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
@@ -12,6 +13,8 @@ namespace fluidymation {
 namespace {
 
 constexpr float kDiagonalPx = 1.4142136F;
+/// Rows that are covered with discs at a time.
+constexpr int kBandRows = 32;
 constexpr float kRounding = 1e-3F;  // px; distances of 1e4 px are exact to this in float
 
 /// Whether the disc round a neighbour holds the whole disc round (x, y).
@@ -27,16 +30,27 @@ bool isCovered(const Image<float>& distance, int x, int y) {
   return false;
 }
 
-/// Raises `thickness` to `radius` on the inside pixels nearer to (x, y) than that.
-void coverDisc(const Image<float>& distance, int x, int y, float radius, Image<float>& thickness) {
-  const int reach = static_cast<int>(radius);
-  const int firstX = std::max(x - reach, 0);
-  const int lastX = std::min(x + reach, distance.width() - 1);
-  for (int py = std::max(y - reach, 0); py <= std::min(y + reach, distance.height() - 1); ++py) {
-    for (int px = firstX; px <= lastX; ++px) {
-      const auto square = static_cast<float>((px - x) * (px - x) + (py - y) * (py - y));
-      if (square >= radius * radius || distance(px, py) <= 0.0F) continue;
-      thickness(px, py) = std::max(thickness(px, py), radius);
+/// A disc within a shape, round a pixel.
+struct Disc {
+  int x = 0;
+  int y = 0;
+  float radius = 0.0F;  ///< px
+};
+
+/// Raises `thickness` to a disc's radius on the inside pixels nearer to its centre than that, in
+/// the rows [top, bottom).
+void coverDisc(const Image<float>& distance, const Disc& disc, int top, int bottom,
+               Image<float>& thickness) {
+  const int reach = static_cast<int>(disc.radius);
+  const int firstX = std::max(disc.x - reach, 0);
+  const int lastX = std::min(disc.x + reach, distance.width() - 1);
+  for (int y = std::max(disc.y - reach, top); y <= std::min(disc.y + reach, bottom - 1); ++y) {
+    for (int x = firstX; x <= lastX; ++x) {
+      const int dx = x - disc.x;
+      const int dy = y - disc.y;
+      const auto square = static_cast<float>(dx * dx + dy * dy);
+      if (square >= disc.radius * disc.radius || distance(x, y) <= 0.0F) continue;
+      thickness(x, y) = std::max(thickness(x, y), disc.radius);
     }
   }
 }
@@ -70,23 +84,36 @@ Image<float> localThickness(const Image<float>& distance, float limitPx) {
   // Thick parts at once, by the distance to their deep pixels
   const Mask thick = nearDeepPixels(distance, limitPx);
   Image<float> thickness(distance.size());
-  for (int y = 0; y < distance.height(); ++y) {
+  forEachRow(distance.height(), [&](int y) {
     for (int x = 0; x < distance.width(); ++x) {
       if (distance(x, y) <= 0.0F) continue;
       thickness(x, y) = thick(x, y) != 0 ? limitPx : std::min(distance(x, y), limitPx);
     }
-  }
+  });
   // Thin parts disc by disc, as far as discs reach them
   const Mask thin = thinPixels(distance, thick);
   if (countInside(thin) == 0) return thickness;
   const Image<float> toThin = distanceWithin(thin, static_cast<int>(std::ceil(limitPx)));
-  for (int y = 0; y < distance.height(); ++y) {
+  std::vector<std::vector<Disc>> discs(static_cast<std::size_t>(distance.height()));  // of rows
+  forEachRow(distance.height(), [&](int y) {
     for (int x = 0; x < distance.width(); ++x) {
       const float depth = distance(x, y);
       if (depth <= 0.0F || depth >= limitPx || toThin(x, y) >= depth) continue;
-      if (!isCovered(distance, x, y)) coverDisc(distance, x, y, depth, thickness);
+      if (!isCovered(distance, x, y)) discs[static_cast<std::size_t>(y)].push_back({x, y, depth});
     }
-  }
+  });
+  const int bands = (distance.height() + kBandRows - 1) / kBandRows;
+  parallelFor(bands, 1, [&](int band) {
+    const int top = band * kBandRows;
+    const int bottom = std::min(top + kBandRows, distance.height());
+    const int reach = static_cast<int>(limitPx);  // of the largest disc
+    const int end = std::min(bottom + reach, distance.height());
+    for (int y = std::max(top - reach, 0); y < end; ++y) {
+      for (const Disc& disc : discs[static_cast<std::size_t>(y)]) {
+        coverDisc(distance, disc, top, bottom, thickness);
+      }
+    }
+  });
   return thickness;
 }
 

@@ -127,12 +127,23 @@ std::int32_t OccurrenceMap::contribution(int usedX, int usedY, int usedFrame, in
 
 void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {
   clear();
-  for (const Match& match : nnf) {
-    if (!match.exists()) continue;
-    use(std::clamp(match.nearestX(), 0, size_.width - 1),
-        std::clamp(match.nearestY(), 0, size_.height - 1), match.frame);
-  }
+  // Each thread goes through all matches, for the rows of the exemplar that are its own
+  const int bands = std::min(threadLimit(), size_.height);
+  parallelFor(bands, 1, [&](int band) {
+    const int top = rowOfBand(band, bands);
+    const int bottom = rowOfBand(band + 1, bands);
+    for (const Match& match : nnf) {
+      if (!match.exists()) continue;
+      const int y = std::clamp(match.nearestY(), 0, size_.height - 1);
+      if (y < top || y >= bottom) continue;
+      use(std::clamp(match.nearestX(), 0, size_.width - 1), y, match.frame);
+    }
+  });
   filter();
+}
+
+int OccurrenceMap::rowOfBand(int band, int bands) const {
+  return static_cast<int>(static_cast<std::int64_t>(size_.height) * band / bands);
 }
 
 void OccurrenceMap::clear() {

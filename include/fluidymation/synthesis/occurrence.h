@@ -65,6 +65,8 @@ class OccurrenceMap {
   void clear();
   /// Counts one use in all frames that its box reaches, at its own pixel.
   void use(int x, int y, int frame);
+  /// The first row of the exemplar that belongs to a band, of so many.
+  [[nodiscard]] int rowOfBand(int band, int bands) const;
   /// Turns these counts into window sums.
   void filter();
   void filter(int slab);
