@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cstddef>
 
+#include "compositing/bare_surface.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/core/parallel.h"
-#include "preview/bare_surface.h"
 
 namespace fluidymation {
 namespace {

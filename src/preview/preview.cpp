@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "compositing/over.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/core/resize.h"
@@ -15,12 +16,12 @@
 #include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/backdrop.h"
 #include "pipeline/dump_name.h"
 #include "pipeline/inputs.h"
 #include "pipeline/outputs.h"
 #include "pipeline/protected_files.h"
 #include "pipeline/starting_point.h"
-#include "preview/backdrop.h"
 #include "preview/sheet.h"
 #include "preview/video.h"
 
@@ -96,19 +97,6 @@ void requireNotCancelled(const std::function<bool()>& cancelled) {
 [[nodiscard]] std::string folderOf(const std::string& path) {
   const fs::path parent = fs::path(path).parent_path();
   return parent.empty() ? "." : parent.string();
-}
-
-/// Painted pixels over the backdrop, which has their size.
-[[nodiscard]] Image<Rgb> composited(const Image<Rgba>& frame, const Image<Rgb>& backdrop) {
-  Image<Rgb> result(frame.size());
-  for (std::size_t i = 0; i < result.pixelCount(); ++i) {
-    const Rgba over = frame.data()[i];
-    const Rgb under = backdrop.data()[i];
-    const float rest = 1.0F - over.a;
-    result.data()[i] = {over.a * over.r + rest * under.r, over.a * over.g + rest * under.g,
-                        over.a * over.b + rest * under.b};
-  }
-  return result;
 }
 
 [[nodiscard]] Image<Rgb> grayPicture(const Image<float>& values) {
@@ -215,8 +203,9 @@ Preview::Preview(const Options& options, const PreviewOptions& preview,
   checkFolderCreatable(folderOf(preview.path));
   checkReplaceable(preview.path);
   Inputs inputs = openInputs(options, Observer{});
-  Image<Rgb> surface = backdrop(preview.background.value_or(kDefaultBackground), inputs,
-                                inputs.target.scaled, stopIfWanted);
+  Image<Rgb> surface =
+      backdrop("--preview-background", preview.background.value_or(kDefaultBackground), inputs,
+               inputs.target.scaled, stopIfWanted);
   const auto [begin, end] = wantedFrames(options, inputs.target.files.numbers);
   content_ =
       std::make_unique<Content>(Content{std::move(inputs), FramePattern(options.outPath), preview,

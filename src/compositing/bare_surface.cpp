@@ -1,4 +1,4 @@
-#include "preview/bare_surface.h"
+#include "compositing/bare_surface.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,0 +1,16 @@
+#include "compositing/over.h"
+
+#include <cassert>
+
+namespace fluidymation {
+
+Image<Rgb> composited(const Image<Rgba>& picture, const Image<Rgb>& background) {
+  assert(picture.size() == background.size());
+  Image<Rgb> result(picture.size());
+  for (std::size_t i = 0; i < result.pixelCount(); ++i) {
+    result.data()[i] = composited(picture.data()[i], background.data()[i]);
+  }
+  return result;
+}
+
+}  // namespace fluidymation

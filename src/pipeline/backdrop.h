@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/core/image.h"
+#include "pipeline/inputs.h"
+
+namespace fluidymation {
+
+/// What stands for the exemplar's bare surface.
+inline constexpr const char* kExemplarSurface = "exemplar";
+
+/// Of one colour (`colorOf`), of a PNG file that fills it and is cut where it is longer, or of the
+/// exemplar's bare surface where the text is `kExemplarSurface`.
+/// @param option  which asks for it, for messages.
+/// @param size    of the target's frames.
+/// @param beforeFile  called before each file of the exemplar; may throw to stop.
+/// @throws UsageError where the text is neither a colour nor a file; Error naming a file that
+/// cannot be read, or saying that no surface is bare.
+[[nodiscard]] Image<Rgb> backdrop(
+    const std::string& option, const std::string& text, const Inputs& inputs, Size size,
+    const std::function<void()>& beforeFile = [] {});
+
+}  // namespace fluidymation
