@@ -205,6 +205,9 @@ struct ContinuationOptions {
   std::optional<FrameNumbers> render;  ///< the only frames to be painted
 };
 
+/// Bits of a channel of the painted frames.
+enum class BitDepth { k8, k16 };
+
 /// Where the border width comes from when none is given.
 enum class BorderWidthRule {
   kBySize,    ///< a share of the film's size: `automaticBorderWidthPx`
@@ -243,7 +246,11 @@ struct Options {
   std::optional<std::string> dumpGuidesDirectory;
   ContinuationOptions continuation;
   int compressionLevel = kDefaultCompression;  ///< of the painted frames: size and clock only
-  int threads = 1;                             ///< changes the clock only, never a byte
+  BitDepth bitDepth = BitDepth::k8;            ///< likewise
+  /// What the frames are laid over, which makes them opaque: a colour ("#F4F1E8", "#fff", "white",
+  /// "black", "gray"), a PNG file, or the film's bare surface ("exemplar"). None: straight alpha.
+  std::optional<std::string> background;
+  int threads = 1;  ///< changes the clock only, never a byte
   /// What the run may need, at least `ranges::kLeastMemoryBytes`; none: what the machine has.
   std::optional<std::int64_t> maxMemoryBytes;
 };

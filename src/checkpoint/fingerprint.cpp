@@ -67,6 +67,10 @@ void compare(const InputDigests& had, const InputDigests& now, Sentence& sentenc
     numbers += (numbers.empty() ? " " : ", ") + std::to_string(had.files[i].number);
   }
   if (changed == 0) return;
+  if (had.option == kBackgroundOption) {  // one picture, and no sequence
+    sentence.add({had.option, " has changed"});
+    return;
+  }
   if (changed > kLongestList) {
     numbers += " and " + std::to_string(changed - kLongestList) + " more";
   }

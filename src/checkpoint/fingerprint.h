@@ -15,7 +15,9 @@ namespace fluidymation {
 
 // What a run can have at most: what is read is not trusted.
 inline constexpr std::size_t kMostOptions = 128;  ///< the command line has fewer
-inline constexpr std::size_t kMostInputs = 5;     ///< film, masks, target and two flows
+inline constexpr std::size_t kMostInputs = 6;     ///< film, masks, target, two flows, background
+/// The input that is one file and no sequence; its number counts for nothing.
+inline constexpr const char* kBackgroundOption = "--background";
 inline constexpr auto kMostFrames = static_cast<std::size_t>(ranges::kFrameCounts.high);
 
 /// The files of one input option.

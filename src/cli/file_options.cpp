@@ -35,6 +35,21 @@ void addFiles(Table& table) {
                 "of the painted frames; 0 is fastest, 9 smallest: all have the\nsame pixels", "",
                 ranges::kCompressionLevels, "not in the thesis",
                 [](CommandLine& c) -> int& { return c.options.compressionLevel; });
+  table.word<BitDepth>("--bit-depth", kFilesGroup, "of each channel of the painted frames",
+                       {{"8", BitDepth::k8}, {"16", BitDepth::k16}}, "not in the thesis",
+                       [](CommandLine& c) -> BitDepth& { return c.options.bitDepth; });
+  table.add(
+      {"--background", kFilesGroup, "COLOR|FILE|exemplar",
+       "paint opaque frames, laid over #RRGGBB, white, black, gray, a\nPNG file, or the "
+       "film's bare surface, its masks filled in\n(default off: transparent; not in the thesis)",
+       false,
+       [](CommandLine& line, const std::string& value) {
+         if (value.empty()) {
+           throw UsageError(shown("--background", value) + ": wanted a colour, a file or exemplar");
+         }
+         line.options.background = value;
+       },
+       [](const CommandLine& line) { return line.options.background; }});
   table.add({"--dump-guides", kFilesGroup, "DIR",
              "write masks, guides and matches to DIR/source, DIR/target\n(default off; not in the "
              "thesis)",

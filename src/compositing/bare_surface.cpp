@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "compositing/quilt.h"
 #include "fluidymation/core/box.h"
 #include "fluidymation/core/resize.h"
 
@@ -88,6 +89,33 @@ void fillSmoothly(Image<Rgb>& colors, const Image<float>& weights) {
   return steps;
 }
 
+/// With the mean colour everywhere, as far as structures larger than some pixels go.
+[[nodiscard]] Image<Rgb> withoutShading(const Image<Rgb>& image) {
+  Image<Rgb> result = shadingOf(image);
+  Rgb mean;
+  for (const Rgb color : result) mean = plus(mean, color);
+  mean = times(1.0F / static_cast<float>(result.pixelCount()), mean);
+  for (std::size_t i = 0; i < result.pixelCount(); ++i) {
+    result.data()[i] = plus(mean, minus(image.data()[i], result.data()[i]));
+  }
+  return result;
+}
+
+/// Of any size: mirrored at its sides again and again.
+[[nodiscard]] Image<Rgb> mirrored(const Image<Rgb>& image, Size size) {
+  const auto inside = [](int i, int length) {
+    const int place = i % (2 * length);
+    return place < length ? place : 2 * length - 1 - place;
+  };
+  Image<Rgb> result(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      result(x, y) = image(inside(x, image.width()), inside(y, image.height()));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void BareSurface::add(const Image<Rgb>& picture, const Image<float>& coverage) {
@@ -134,29 +162,28 @@ Image<Rgb> BareSurface::filled() const {
   return result;
 }
 
-Image<Rgb> spread(const Image<Rgb>& surface, Size size) {
+Mask BareSurface::bareFor(float share) const {
+  const float least = share * *std::max_element(count_.begin(), count_.end());
+  Mask bare(count_.size());
+  std::transform(count_.begin(), count_.end(), bare.begin(), [least](float count) {
+    return static_cast<std::uint8_t>(count > 0.0F && count >= least ? 1 : 0);
+  });
+  return bare;
+}
+
+Image<Rgb> BareSurface::spread(Size size) const {
+  const Image<Rgb> surface = filled();
   if (surface.width() >= size.width && surface.height() >= size.height) {
     const int left = (surface.width() - size.width) / 2;
     const int top = (surface.height() - size.height) / 2;
     return cropped(surface, {left, top, left + size.width, top + size.height});
   }
-  const Image<Rgb> shading = shadingOf(surface);
-  Rgb mean;
-  for (const Rgb color : shading) mean = plus(mean, color);
-  mean = times(1.0F / static_cast<float>(shading.pixelCount()), mean);
-  const auto mirrored = [](int i, int length) {
-    const int place = i % (2 * length);
-    return place < length ? place : 2 * length - 1 - place;
-  };
-  Image<Rgb> result(size);
-  for (int y = 0; y < size.height; ++y) {
-    const int sourceY = mirrored(y, surface.height());
-    for (int x = 0; x < size.width; ++x) {
-      const int sourceX = mirrored(x, surface.width());
-      result(x, y) = plus(mean, minus(surface(sourceX, sourceY), shading(sourceX, sourceY)));
-    }
+  const Image<Rgb> grain = withoutShading(surface);
+  constexpr float kLong = 0.5F;
+  for (const float share : {kLong, 0.0F}) {
+    if (auto quilt = quilted(grain, bareFor(share), size)) return std::move(*quilt);
   }
-  return result;
+  return mirrored(grain, size);
 }
 
 }  // namespace fluidymation

@@ -23,14 +23,18 @@ class BareSurface {
   /// and the grain of a bare place nearby. Some pixel must be known (asserted).
   [[nodiscard]] Image<Rgb> filled() const;
 
+  /// A surface of any size: the middle of this one, filled, where it is large enough. Else its
+  /// grain, quilted from places that stayed bare long, which no pale paint has reached; without its
+  /// shading, which would show as a pattern. Where there are too few such places, it is mirrored at
+  /// its sides again and again. Some pixel must be known (asserted).
+  [[nodiscard]] Image<Rgb> spread(Size size) const;
+
  private:
+  /// What was bare in at least this share of the frames in which the barest pixel was.
+  [[nodiscard]] Mask bareFor(float share) const;
+
   Image<Rgb> sum_;
   Image<float> count_;
 };
-
-/// A surface of any size with the grain of `surface`, pixel by pixel: its middle where it is large
-/// enough, else mirrored at its sides again and again, without its shading, which would show as a
-/// pattern.
-[[nodiscard]] Image<Rgb> spread(const Image<Rgb>& surface, Size size);
 
 }  // namespace fluidymation

@@ -92,8 +92,30 @@ struct Compression {
   }
 }
 
-template <typename Pixel>
-void encode(const Image<Pixel>& image, int colorType, int compressionLevel, const ByteSink& sink) {
+/// What the IHDR chunk says of samples.
+struct SampleFormat {
+  int bitDepth = 8;
+  int colorType = PNG_COLOR_TYPE_RGB_ALPHA;
+};
+
+void setColorChunks(png_structp png, png_infop info, const ColorChunks& color) {
+  if (color.profile) {
+    png_set_iCCP(png, info, color.profile->name.c_str(), PNG_COMPRESSION_TYPE_BASE,
+                 color.profile->bytes.data(),
+                 static_cast<png_uint_32>(color.profile->bytes.size()));
+  }
+  if (color.srgbIntent) png_set_sRGB(png, info, *color.srgbIntent);
+  if (color.gamma) png_set_gAMA_fixed(png, info, *color.gamma);
+  if (color.chromaticities) {
+    const auto& xy = *color.chromaticities;
+    png_set_cHRM_fixed(png, info, xy[0], xy[1], xy[2], xy[3], xy[4], xy[5], xy[6], xy[7]);
+  }
+}
+
+/// @param rowBytes  gives row y as the file is to hold it.
+template <typename RowBytes>
+void encode(Size size, SampleFormat format, const ColorChunks& color, int compressionLevel,
+            const RowBytes& rowBytes, const ByteSink& sink) {
   const Compression compression = compressionOf(compressionLevel);
   Writer writer(sink);
   auto* const png = writer.png();
@@ -102,28 +124,60 @@ void encode(const Image<Pixel>& image, int colorType, int compressionLevel, cons
     png_set_filter(png, PNG_FILTER_TYPE_BASE, compression.filters);
     png_set_compression_level(png, compression.zlibLevel);
     png_set_compression_strategy(png, compression.strategy);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width()),
-                 static_cast<png_uint_32>(image.height()), 8, colorType, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(size.width),
+                 static_cast<png_uint_32>(size.height), format.bitDepth, format.colorType,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    setColorChunks(png, info, color);
     png_write_info(png, info);
-    for (int y = 0; y < image.height(); ++y) {
-      png_write_row(png, reinterpret_cast<png_const_bytep>(image.row(y)));
-    }
+    for (int y = 0; y < size.height; ++y) png_write_row(png, rowBytes(y));
     png_write_end(png, nullptr);
   });
 }
 
-}  // namespace
+// Samples as PNG has them: the high byte first.
+void append(std::uint8_t sample, std::uint8_t*& bytes) { *bytes++ = sample; }
+void append(std::uint16_t sample, std::uint8_t*& bytes) {
+  *bytes++ = static_cast<std::uint8_t>(sample >> 8U);
+  *bytes++ = static_cast<std::uint8_t>(sample & 0xFFU);
+}
 
-std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image, int compressionLevel) {
-  static_assert(sizeof(Rgba8) == 4, "rows go to libpng as they are");
+template <typename Pixel>
+[[nodiscard]] std::vector<std::uint8_t> encoded(const Image<Pixel>& image, int compressionLevel,
+                                                const PngContent& content) {
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width()) * sizeof(Pixel));
+  const auto rowBytes = [&](int y) -> png_const_bytep {
+    std::uint8_t* bytes = row.data();
+    for (int x = 0; x < image.width(); ++x) {
+      const Pixel& pixel = image(x, y);
+      append(pixel.r, bytes);
+      append(pixel.g, bytes);
+      append(pixel.b, bytes);
+      if (!content.opaque) append(pixel.a, bytes);
+    }
+    return row.data();
+  };
+  constexpr int kBitsPerByte = 8;
+  const SampleFormat format{kBitsPerByte * static_cast<int>(sizeof(Pixel::r)),
+                            content.opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA};
   std::vector<std::uint8_t> file;
-  encode(image, PNG_COLOR_TYPE_RGB_ALPHA, compressionLevel,
+  encode(image.size(), format, content.color, compressionLevel, rowBytes,
          [&file](const void* data, std::size_t byteCount) {
            const auto* const bytes = static_cast<const std::uint8_t*>(data);
            file.insert(file.end(), bytes, bytes + byteCount);
          });
   return file;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image, int compressionLevel,
+                                    const PngContent& content) {
+  return encoded(image, compressionLevel, content);
+}
+
+std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image, int compressionLevel,
+                                    const PngContent& content) {
+  return encoded(image, compressionLevel, content);
 }
 
 void writePng(const std::string& path, const Image<Rgba8>& image, int compressionLevel) {
@@ -132,7 +186,8 @@ void writePng(const std::string& path, const Image<Rgba8>& image, int compressio
 
 void writeGrayPng(const std::string& path, const Image<std::uint8_t>& image) {
   writeAtomically(path, [&](const ByteSink& sink) {
-    encode(image, PNG_COLOR_TYPE_GRAY, kDefaultCompression, sink);
+    const auto row = [&](int y) -> png_const_bytep { return image.row(y); };
+    encode(image.size(), {8, PNG_COLOR_TYPE_GRAY}, {}, kDefaultCompression, row, sink);
   });
 }
 

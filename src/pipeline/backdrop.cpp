@@ -11,7 +11,7 @@
 namespace fluidymation {
 namespace {
 
-[[nodiscard]] Image<Rgb> exemplarSurface(const std::string& option, const Inputs& inputs,
+[[nodiscard]] Image<Rgb> exemplarSurface(const std::string& option, const Inputs& inputs, Size size,
                                          const std::function<void()>& beforeFile) {
   const MaskChannel channel = maskChannel(inputs.sourceMask, beforeFile);
   BareSurface surface(inputs.color.scaled);
@@ -19,7 +19,7 @@ namespace {
     beforeFile();
     surface.add(readPicture(inputs.color, k), readMask(inputs.sourceMask, channel, k).coverage);
   }
-  if (surface.known()) return surface.filled();
+  if (surface.known()) return surface.spread(size);
   throw Error(option +
               " exemplar: its masks leave no pixel bare in any frame; wanted a colour or a PNG "
               "file");
@@ -27,17 +27,26 @@ namespace {
 
 }  // namespace
 
+bool isBackgroundFile(const std::string& text) {
+  return !colorOf(text) && text != kExemplarSurface;
+}
+
+void requireBackground(const std::string& option, const std::string& text) {
+  std::error_code ignored;
+  if (!isBackgroundFile(text) || std::filesystem::exists(text, ignored)) return;
+  throw UsageError(option + " " + text +
+                   ": no colour, and no file of that name; wanted #RRGGBB, white, black, gray, a "
+                   "PNG file, or exemplar");
+}
+
 Image<Rgb> backdrop(const std::string& option, const std::string& text, const Inputs& inputs,
                     Size size, const std::function<void()>& beforeFile) {
   if (const std::optional<Rgb> color = colorOf(text)) return Image<Rgb>(size, *color);
-  if (text == kExemplarSurface) return spread(exemplarSurface(option, inputs, beforeFile), size);
-  std::error_code ignored;
-  if (!std::filesystem::exists(text, ignored)) {
-    throw UsageError(option + " " + text +
-                     ": no colour, and no file of that name; wanted #RRGGBB, white, black, gray, a "
-                     "PNG file, or exemplar");
-  }
-  return filledBy(readColor(text), size);
+  if (text == kExemplarSurface) return exemplarSurface(option, inputs, size, beforeFile);
+  requireBackground(option, text);
+  const Image<Rgb> picture = readColor(text);
+  if (inputs.background) requireUnchanged(text, inputs.background->identity);
+  return filledBy(picture, size);
 }
 
 }  // namespace fluidymation

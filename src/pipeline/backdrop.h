@@ -12,6 +12,12 @@ namespace fluidymation {
 /// What stands for the exemplar's bare surface.
 inline constexpr const char* kExemplarSurface = "exemplar";
 
+/// Whether a text that names a background is a file's name: no colour, and not the exemplar.
+[[nodiscard]] bool isBackgroundFile(const std::string& text);
+
+/// @throws UsageError where the text is a file's name and there is none.
+void requireBackground(const std::string& option, const std::string& text);
+
 /// Of one colour (`colorOf`), of a PNG file that fills it and is cut where it is longer, or of the
 /// exemplar's bare surface where the text is `kExemplarSurface`.
 /// @param option  which asks for it, for messages.

@@ -1,39 +1,54 @@
 #include "pipeline/frame_writer.h"
 
 #include <cstring>
-#include <utility>
 
-#include "fluidymation/core/parallel.h"
 #include "fluidymation/io/atomic_file.h"
+#include "pipeline/painted_pixels.h"
 
 namespace fluidymation {
 namespace {
 
-bool looksAlike(const Image<Rgba8>& a, const Image<Rgba8>& b) {
-  static_assert(sizeof(Rgba8) == 4, "nothing between the channels that could differ");
+template <typename Pixel>
+[[nodiscard]] bool sameBytes(const Image<Pixel>& a, const Image<Pixel>& b) {
+  static_assert(sizeof(Pixel) == 4 * sizeof(Pixel::r), "nothing between the channels may differ");
   return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Rgba8)) == 0;
+         std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Pixel)) == 0;
+}
+
+[[nodiscard]] bool looksAlike(const FrameWriter::Pixels& a, const FrameWriter::Pixels& b) {
+  return std::visit(
+      [&b](const auto& one) {
+        const auto* const other = std::get_if<std::decay_t<decltype(one)>>(&b);
+        return other != nullptr && sameBytes(one, *other);
+      },
+      a);
 }
 
 }  // namespace
 
-Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& guides,
-                      const SrgbByteEncoder& encoder) {
-  Image<Rgba8> output(picture.size());
-  forEachRow(picture.height(), [&](int y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const std::uint8_t alpha = toByte(guides.coverageAt(x, y));
-      if (alpha == 0) continue;
-      const Rgb8 color = encoder(picture(x, y));
-      output(x, y) = {color.r, color.g, color.b, alpha};
-    }
-  });
-  return output;
+FrameWriter::FrameWriter(FrameForm form) : form_(std::move(form)) {
+  encode_ = [this](const Pixels& pixels) {
+    const PngContent content{!form_.background.empty(), form_.color};
+    return std::visit(
+        [&](const auto& image) { return encodePng(image, form_.compressionLevel, content); },
+        pixels);
+  };
+}
+
+FrameWriter::Pixels FrameWriter::pixelsOf(const Image<Lab>& picture,
+                                          const GuideFrame& guides) const {
+  const bool wide = form_.bitDepth == BitDepth::k16;
+  if (form_.background.empty()) {
+    if (wide) return straightPixels16(picture, guides);
+    return straightPixels8(picture, guides, colors_);
+  }
+  if (wide) return opaquePixels16(picture, guides, form_.background);
+  return opaquePixels8(picture, guides, form_.background, colors_);
 }
 
 Digest FrameWriter::write(const std::string& path, const Image<Lab>& picture,
                           const GuideFrame& guides) {
-  Image<Rgba8> output = toOutput(picture, guides, colors_);
+  Pixels output = pixelsOf(picture, guides);
   if (lastFile_.empty() || !looksAlike(output, last_)) {
     lastFile_ = encode_(output);
     last_ = std::move(output);

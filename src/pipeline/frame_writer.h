@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "fluidymation/core/color.h"
@@ -11,27 +12,32 @@
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/io/digest.h"
 #include "fluidymation/io/png.h"
+#include "fluidymation/options.h"
 
 namespace fluidymation {
 
-/// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
-/// does not.
-/// @param guides  mask and coverage of the frame.
-[[nodiscard]] Image<Rgba8> toOutput(const Image<Lab>& picture, const GuideFrame& guides,
-                                    const SrgbByteEncoder& encoder);
+/// What the files of painted frames hold.
+struct FrameForm {
+  BitDepth bitDepth = BitDepth::k8;
+  int compressionLevel = kDefaultCompression;  ///< 0 to 9, see `encodePng`
+  Image<Rgb> background = {};  ///< what frames are laid over; empty: they are transparent
+  ColorChunks color = {};      ///< of the files
+};
 
 /// Writes painted frames as PNG files. A frame that looks as the one before costs no encoding: the
 /// same bytes are written once more.
 class FrameWriter {
  public:
-  using Encoder = std::function<std::vector<std::uint8_t>(const Image<Rgba8>& pixels)>;
+  using Pixels = std::variant<Image<Rgba8>, Image<Rgba16>>;
+  using Encoder = std::function<std::vector<std::uint8_t>(const Pixels& pixels)>;
 
-  explicit FrameWriter(Encoder encode) : encode_(std::move(encode)) {}
-  /// @param compressionLevel  0 to 9, see `encodePng`.
-  explicit FrameWriter(int compressionLevel)
-      : FrameWriter([compressionLevel](const Image<Rgba8>& pixels) {
-          return encodePng(pixels, compressionLevel);
-        }) {}
+  explicit FrameWriter(FrameForm form);
+  /// @param encode  takes the place of `encodePng`.
+  FrameWriter(FrameForm form, Encoder encode)
+      : form_(std::move(form)), encode_(std::move(encode)) {}
+  FrameWriter(const FrameWriter&) = delete;
+  FrameWriter& operator=(const FrameWriter&) = delete;
+  ~FrameWriter() = default;
 
   /// @param guides  mask and coverage of the frame.
   /// @return  of the file.
@@ -39,9 +45,12 @@ class FrameWriter {
   Digest write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
 
  private:
+  [[nodiscard]] Pixels pixelsOf(const Image<Lab>& picture, const GuideFrame& guides) const;
+
+  FrameForm form_;
   Encoder encode_;
   SrgbByteEncoder colors_;
-  Image<Rgba8> last_;
+  Pixels last_;
   std::vector<std::uint8_t> lastFile_;  ///< `last_` encoded
 };
 

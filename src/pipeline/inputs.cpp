@@ -8,6 +8,7 @@
 #include "fluidymation/core/text.h"
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/backdrop.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/memory_limit.h"
 
@@ -74,7 +75,9 @@ Size largestStored(const Inputs& inputs) {
   const auto area = [](Size size) { return std::int64_t{size.width} * size.height; };
   const Size exemplar = inputs.color.stored;
   const Size target = inputs.target.stored;
-  return area(exemplar) >= area(target) ? exemplar : target;
+  const Size background = inputs.background ? inputs.background->stored : Size{};
+  return std::max({exemplar, target, background},
+                  [&](Size a, Size b) { return area(a) < area(b); });
 }
 
 }  // namespace
@@ -106,6 +109,13 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                                            options.flowConvention, options.target, inputs.target);
     });
   }
+  if (options.background && isBackgroundFile(*options.background)) {
+    faults.did([&] {
+      requireBackground("--background", *options.background);
+      const FileIdentity identity = fileIdentityOf(*options.background);
+      inputs.background = {identity, readPngSize(*options.background)};
+    });
+  }
   faults.throwIfAny();
   requireMemory(options, sizeOfRun(options, inputs));  // in any case, whatever the masks hold
   return inputs;
@@ -134,6 +144,9 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   run.finestLevel = options.synthesis.finestLevel;
   run.mayCompareAges = options.newMaterial != NewMaterial::kPlain;
   run.temporalCoherence = options.synthesis.temporalCoherence;
+  run.bitDepth = options.bitDepth;
+  run.hasBackground = options.background.has_value();
+  run.hasBareSurface = options.background == kExemplarSurface;
   run.dumps = options.dumpGuidesDirectory.has_value();
   if (inputs.sourceFlow) run.exemplarFlow = inputs.sourceFlow->stored;
   if (inputs.targetFlow) run.targetFlow = inputs.targetFlow->stored;

@@ -38,6 +38,12 @@ struct FlowSequence {
   bool seenOnFrame = true;
 };
 
+/// The picture of `--background`, where it is a file.
+struct BackgroundFile {
+  FileIdentity identity;  ///< when the run began
+  Size stored;
+};
+
 /// Everything that is read, checked as far as headers and folders tell.
 struct Inputs {
   InputSequence color;
@@ -45,6 +51,7 @@ struct Inputs {
   InputSequence target;
   std::optional<FlowSequence> sourceFlow;
   std::optional<FlowSequence> targetFlow;
+  std::optional<BackgroundFile> background;
 };
 
 /// Finds all files, reads all headers, and checks that they fit together and into memory.

@@ -75,11 +75,19 @@ constexpr double kStateFileBytes = kStateBytes + sizeof(std::uint8_t);
 // Per pixel of a frame being written: its picture, mask and coverage, the pixels of the file, and
 // the file, which compression hardly makes larger than they are, twice while it grows; then its
 // state and the state's file.
-constexpr double kWritingBytes = sizeof(Lab) + sizeof(std::uint8_t) + sizeof(float) +
-                                 3.0 * sizeof(Rgba8) + kStateBytes + kStateFileBytes;
+constexpr double kWritingBytes =
+    sizeof(Lab) + sizeof(std::uint8_t) + sizeof(float) + kStateBytes + kStateFileBytes;
+constexpr double kFilesPerWriting = 3.0;
+// Where transparent pixels get colours: their distances from the paint, and those at its edge.
+constexpr double kMarginBytes = sizeof(std::uint8_t) + 2.0 * sizeof(Pixel);
 // What is kept of the frame written last, in case that the next one looks alike: pixels and file;
 // and its state, in case that the run is stopped.
-constexpr double kWrittenBytes = 2.0 * sizeof(Rgba8) + kStateBytes;
+constexpr double kWrittenBytes = kStateBytes;
+constexpr double kFilesWritten = 2.0;
+// Per pixel of the exemplar while its bare surface is found: sums and counts, a picture as RGBA
+// and RGB, its mask; then sums and counts, and what is known, filled, shading and result.
+constexpr double kBareSurfaceBytes =
+    sizeof(Rgb) + sizeof(float) + std::max(28.0 + 2.0 * sizeof(float), 6.0 * sizeof(Rgb));
 // What is added where frames are dumped: all their guides, their matches, and these as files hold
 // them.
 constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
@@ -218,15 +226,23 @@ std::int64_t bytesOfRun(const RunSize& run) {
       std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
                guiding(film));
   const double searching = pixels(run.target) * (kPaintingBytes + ownBytes);
-  const double writing = pixels(run.target) * (kWritingBytes + (run.dumps ? kDumpingBytes : 0.0));
+  const double pixelBytes = run.bitDepth == BitDepth::k8 ? sizeof(Rgba8) : sizeof(Rgba16);
+  const double writing = pixels(run.target) * (kWritingBytes + kFilesPerWriting * pixelBytes +
+                                               (run.hasBackground ? 0.0 : kMarginBytes) +
+                                               (run.dumps ? kDumpingBytes : 0.0));
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
   const double painting = exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
-                          pixels(run.target) * kWrittenBytes +
+                          pixels(run.target) * (kWrittenBytes + kFilesWritten * pixelBytes) +
                           (sideBySide ? guiding(target) + searching + writing
                                       : std::max({guiding(target), searching, writing}));
 
-  return static_cast<std::int64_t>(kProgramBytes + run.targetFrames * kFrameBytes + waiting +
-                                   std::max({flow, reading, painting}));
+  const double background = run.hasBackground ? pixels(run.target) * sizeof(Rgb) : 0.0;
+  // Made before any mask is read; scaled or cut from a surface that is of no use any more
+  const double surfacing = run.hasBareSurface ? pixels(run.exemplar) * kBareSurfaceBytes +
+                                                    decodingBytes(run, run.exemplar)
+                                              : 0.0;
+  return static_cast<std::int64_t>(kProgramBytes + background + run.targetFrames * kFrameBytes +
+                                   waiting + std::max({flow, reading, painting, surfacing}));
 }
 
 std::string memoryText(std::int64_t bytes) {

@@ -30,7 +30,10 @@ struct RunSize {
   bool mayCompareAges = true;  ///< in the place of extents; false where material is painted plainly
   int occRadiusFrames = SynthesisOptions{}.occRadiusFrames;
   TemporalCoherence temporalCoherence = SynthesisOptions{}.temporalCoherence;
-  bool dumps = false;  ///< whether guides and matches are written too
+  BitDepth bitDepth = BitDepth::k8;
+  bool hasBackground = false;   ///< whether frames are laid over one
+  bool hasBareSurface = false;  ///< whether that is the exemplar's bare surface
+  bool dumps = false;           ///< whether guides and matches are written too
   /// The most mask pixels of any frame after smoothing. As long as they are not known, 0: then the
   /// bytes are those that are needed in any case.
   std::int64_t exemplarMaskPixels = 0;

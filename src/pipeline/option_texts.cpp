@@ -2,6 +2,7 @@
 
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/presets.h"
+#include "pipeline/backdrop.h"
 
 namespace fluidymation {
 namespace {
@@ -148,7 +149,11 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
 
 OptionTexts shapingOptions(const Options& options) {
   OptionTexts texts = {{"--preset", presetText(options.synthesis)},
-                       {"--compression-level", std::to_string(options.compressionLevel)}};
+                       {"--compression-level", std::to_string(options.compressionLevel)},
+                       {"--bit-depth", options.bitDepth == BitDepth::k8 ? "8" : "16"}};
+  if (options.background && !isBackgroundFile(*options.background)) {
+    texts.emplace_back("--background", *options.background);
+  }
   addSequence("--src", options.source, texts);
   addSequence("--target", options.target, texts);
   if (options.sourceFlowPath || options.targetFlowPath) {
@@ -177,6 +182,9 @@ OptionTexts pathOptions(const Options& options) {
                        {"--out-path", options.outPath}};
   if (options.sourceFlowPath) texts.emplace_back("--src-flow-path", *options.sourceFlowPath);
   if (options.targetFlowPath) texts.emplace_back("--target-flow-path", *options.targetFlowPath);
+  if (options.background && isBackgroundFile(*options.background)) {
+    texts.emplace_back("--background", *options.background);
+  }
   return texts;
 }
 

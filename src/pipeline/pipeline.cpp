@@ -23,6 +23,7 @@
 #include "pipeline/automatic_widths.h"
 #include "pipeline/existing_frames.h"
 #include "pipeline/flow_note.h"
+#include "pipeline/frame_form.h"
 #include "pipeline/frame_line.h"
 #include "pipeline/frame_painter.h"
 #include "pipeline/frame_writer.h"
@@ -190,6 +191,7 @@ void stylize(const Options& given, const Observer& observer) {
   };
   countWritten(start.span.begin);
 
+  FrameForm form = formOf(options, inputs, observer, stopIfWanted);
   RunSize size = sizeOfRun(options, inputs);
   const auto settingFor = [&](std::int64_t& maskPixels) {
     GuideStreamSetting setting;
@@ -227,7 +229,7 @@ void stylize(const Options& given, const Observer& observer) {
   addGuides(options, inputs, withAges, sourceGuides, stopping, observer, exemplar);
   StopAtStages stops(stopping);
   Synthesizer synthesizer(exemplar, options.synthesis, &stops);
-  FrameWriter writer(options.compressionLevel);
+  FrameWriter writer(std::move(form));
   RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
   journal.discardOldStates();
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "pipeline/backdrop.h"
+
 namespace fluidymation {
 
 namespace fs = std::filesystem;
@@ -29,6 +31,7 @@ ProtectedFiles::ProtectedFiles(const Options& options) {
   for (const auto& flowPath : {options.sourceFlowPath, options.targetFlowPath}) {
     if (flowPath) add(FramePattern(*flowPath));
   }
+  if (options.background && isBackgroundFile(*options.background)) addFile(*options.background);
 }
 
 ProtectedFiles::ProtectedFiles(const std::vector<std::string>& patterns) {
@@ -69,12 +72,14 @@ void ProtectedFiles::add(const FramePattern& pattern) {
     const std::string name = entry->path().filename().string();
     if (!pattern.numberOf(name)) continue;
     place.names.push_back(name);
-    struct stat status {};
-    if (stat(entry->path().c_str(), &status) == 0) {
-      identities_.insert({status.st_dev, status.st_ino});
-    }
+    addFile(entry->path());
   }
   places_.push_back(std::move(place));
+}
+
+void ProtectedFiles::addFile(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0) identities_.insert({status.st_dev, status.st_ino});
 }
 
 bool ProtectedFiles::matches(const fs::path& path) const {

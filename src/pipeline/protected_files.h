@@ -17,7 +17,7 @@ namespace fluidymation {
 [[nodiscard]] std::filesystem::path canonical(const std::string& path);
 
 /// Everything that may be an input of this run or of another one with the same patterns: the
-/// patterns' files, and those that would be theirs if they existed.
+/// patterns' files, those that would be theirs if they existed, and a background's file.
 class ProtectedFiles {
  public:
   /// Lists the folders of all input patterns.
@@ -47,6 +47,8 @@ class ProtectedFiles {
   using Identity = std::pair<dev_t, ino_t>;
 
   void add(const FramePattern& pattern);
+  /// One that exists.
+  void addFile(const std::filesystem::path& path);
   [[nodiscard]] bool matches(const std::filesystem::path& path) const;
 
   std::vector<Place> places_;

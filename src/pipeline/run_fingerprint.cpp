@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fluidymation/core/version.h"
+#include "pipeline/backdrop.h"
 #include "pipeline/option_texts.h"
 
 namespace fluidymation {
@@ -38,6 +39,10 @@ Fingerprint fingerprintOf(const Options& options, const Inputs& inputs,
   add("--target-path", inputs.target.files);
   if (inputs.sourceFlow) add("--src-flow-path", inputs.sourceFlow->files);
   if (inputs.targetFlow) add("--target-flow-path", inputs.targetFlow->files);
+  if (options.background && isBackgroundFile(*options.background)) {
+    beforeEach();
+    fingerprint.inputs.push_back({kBackgroundOption, {{0, digestOfFile(*options.background)}}});
+  }
   return fingerprint;
 }
 

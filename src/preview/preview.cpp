@@ -200,6 +200,9 @@ Preview::Preview(const Options& options, const PreviewOptions& preview,
   const auto stopIfWanted = [&cancelled] { requireNotCancelled(cancelled); };
   const Format format = formatOf(preview.path);
   requireApart(options, preview);
+  if (options.background && preview.background) {
+    throw UsageError("--preview-background: not wanted with --background, whose frames are opaque");
+  }
   checkFolderCreatable(folderOf(preview.path));
   checkReplaceable(preview.path);
   Inputs inputs = openInputs(options, Observer{});

@@ -95,12 +95,12 @@ class FrameMaker {
   StageTimer timer_;
   Synthesizer synthesizer_;
   Cost encoding_;  ///< of the frame made last
-  FrameWriter writer_{[this](const Image<Rgba8>& pixels) {
-    const Stopwatch encoding;
-    std::vector<std::uint8_t> file = encodePng(pixels);
-    encoding_ = encoding.elapsed();
-    return file;
-  }};
+  FrameWriter writer_{FrameForm{}, [this](const FrameWriter::Pixels& pixels) {
+                        const Stopwatch encoding;
+                        std::vector<std::uint8_t> file = encodePng(std::get<Image<Rgba8>>(pixels));
+                        encoding_ = encoding.elapsed();
+                        return file;
+                      }};
   test::TemporaryFolder folder_;
   std::string path_;
 };

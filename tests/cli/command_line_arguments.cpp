@@ -114,6 +114,10 @@ const std::vector<Reaching>& reachingOptions() {
          return render && render->first == -3 && render->last == -1;
        }},
       {"--compression-level", "7", [](C c) { return c.options.compressionLevel == 7; }},
+      {"--bit-depth", "16", [](C c) { return c.options.bitDepth == BitDepth::k16; }},
+      {"--background", "#abc", [](C c) { return c.options.background == "#abc"; }},
+      {"--background", "exemplar", [](C c) { return c.options.background == "exemplar"; }},
+      {"--background", "paper.png", [](C c) { return c.options.background == "paper.png"; }},
       {"--threads", "3", [](C c) { return c.options.threads == 3; }},
       {"--max-memory", "1.5G", [](C c) { return c.options.maxMemoryBytes == 3 << 29; }},
       {"--progress", "json", [](C c) { return c.progress == ProgressFormat::kJson; }},

@@ -1,6 +1,7 @@
 // Any file as a PNG file, by all functions that read one.
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/png.h"
@@ -24,6 +25,14 @@ void attempt(const std::string& path, const Read& read) {
   }
 }
 
+/// What may be carried along is what comes back from the file that it is written to.
+void requireCopies(const ColorChunks& chunks) {
+  const std::vector<std::uint8_t> file =
+      encodePng(Image<Rgba8>({1, 1}), kDefaultCompression, {true, chunks});
+  const MemoryFile copy(file.data(), file.size());
+  require(readColorChunks(copy.path()).chunks == chunks, "colour chunks are copied as they are");
+}
+
 void readAll(const std::string& path) {
   const Size size = readPngSize(path);
   require(size.width >= 1 && size.height >= 1 && size.width <= kMaxImageSidePx &&
@@ -31,6 +40,7 @@ void readAll(const std::string& path) {
               std::int64_t{size.width} * size.height <= kMaxImagePixels,
           "a size lies within the limits");
   if (std::int64_t{size.width} * size.height > kMostPixels) return;
+  attempt(path, [&] { requireCopies(readColorChunks(path).chunks); });
   attempt(path, [&] {
     const Image<Rgba> image = readPng(path, size);
     require(image.size() == size, "a picture has the size its header claims");

@@ -7,6 +7,7 @@
 
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/image.h"
+#include "fluidymation/io/color_chunks.h"
 #include "fluidymation/io/compression_level.h"
 #include "fluidymation/io/input_limits.h"
 
@@ -77,11 +78,29 @@ struct Rgba8 {
   std::uint8_t a = 0;
 };
 
+/// The same with 16 bits a channel.
+struct Rgba16 {
+  std::uint16_t r = 0;
+  std::uint16_t g = 0;
+  std::uint16_t b = 0;
+  std::uint16_t a = 0;
+};
+
+/// What a PNG file holds besides its pixels.
+struct PngContent {
+  bool opaque = false;  ///< RGB: what pixels have of alpha is left out
+  ColorChunks color;
+};
+
 /// A PNG file in memory.
 /// @param compressionLevel  0 to 9 (asserted).
 /// @throws Error with libpng's reason.
 [[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image,
-                                                  int compressionLevel = kDefaultCompression);
+                                                  int compressionLevel = kDefaultCompression,
+                                                  const PngContent& content = {});
+[[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image,
+                                                  int compressionLevel = kDefaultCompression,
+                                                  const PngContent& content = {});
 
 /// Writes are atomic: under a temporary name in the same folder, flushed, then renamed. On failure
 /// the temporary file is removed and an older file of that name is left as it was.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/shapes.h"
@@ -16,6 +17,14 @@ Rgb paper(int x, int y) {
   const float grain = (x * 7 + y * 3) % 5 == 0 ? 0.05F : 0.0F;
   const float value = 0.5F + 0.004F * static_cast<float>(x) + grain;
   return {value, value, value};
+}
+
+Image<Rgb> paperPicture() {
+  Image<Rgb> picture(kSize);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) picture(x, y) = paper(x, y);
+  }
+  return picture;
 }
 
 /// That paper with a black blot that its mask covers.
@@ -61,17 +70,47 @@ TEST(BareSurface, KnowsNothingUnderMasksThatCoverAll) {
   EXPECT_FALSE(surface.known());
 }
 
-TEST(BareSurface, SpreadsOverAnySize) {
+TEST(BareSurface, IsCutToASmallerSize) {
+  BareSurface surface(kSize);
+  surface.add(paperPicture(), Image<float>(kSize));
+  const Image<Rgb> middle = surface.spread({40, 20});
+  EXPECT_EQ(middle.size(), (Size{40, 20}));
+  EXPECT_FLOAT_EQ(middle(0, 0).r, paper(20, 20).r);
+}
+
+TEST(BareSurface, IsQuiltedToALargerSizeFromWhatStaysBare) {
+  BareSurface surface(kSize);
+  surface.add(paperPicture(), Image<float>(kSize));
+  for (int frame = 0; frame < 3; ++frame) {
+    Image<Rgb> picture = paperPicture();
+    Image<float> coverage(kSize);
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 40; x < kSize.width; ++x) coverage(x, y) = 1.0F;
+    }
+    surface.add(picture, coverage);
+  }
+  const Image<Rgb> large = surface.spread({150, 130});
+  EXPECT_EQ(large.size(), (Size{150, 130}));
+  float brightest = 0.0F;
+  float darkest = 1.0F;
+  for (const Rgb color : large) {
+    brightest = std::max(brightest, color.g);
+    darkest = std::min(darkest, color.g);
+  }
+  EXPECT_GT(brightest - darkest, 0.04F) << "the grain is there";
+  EXPECT_LT(brightest - darkest, 0.12F) << "and the shading, 0.32 from side to side, is not";
+}
+
+TEST(BareSurface, IsMirroredWhereThereIsTooLittleToQuilt) {
+  BareSurface surface({20, 10});
   Image<Rgb> small({20, 10});
   for (int y = 0; y < 10; ++y) {
     for (int x = 0; x < 20; ++x) small(x, y) = paper(x, y);
   }
-  const Image<Rgb> middle = spread(small, {10, 4});
-  EXPECT_EQ(middle.size(), (Size{10, 4}));
-  EXPECT_EQ(middle(0, 0).r, small(5, 3).r);
-  const Image<Rgb> large = spread(small, {64, 33});
+  surface.add(small, Image<float>({20, 10}));
+  const Image<Rgb> large = surface.spread({64, 33});
   EXPECT_EQ(large.size(), (Size{64, 33}));
-  for (int x = 0; x < 20; ++x) EXPECT_EQ(large(39 - x, 0).r, large(x, 0).r);  // mirrored
+  for (int x = 0; x < 20; ++x) EXPECT_EQ(large(39 - x, 0).r, large(x, 0).r);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -359,6 +360,37 @@ TEST(Png, WritingNamesTheFileThatCannotBeWritten) {
               writePng(path, Image<Rgba8>(Size{2, 2}));
             }),
             path + ": cannot be written (No such file or directory)");
+}
+
+TEST(EncodePng, HoldsSixteenBitsHighByteFirst) {
+  const test::TemporaryFolder folder;
+  Image<Rgba16> picture({2, 1});
+  picture(0, 0) = {0x0102, 0xFFFE, 0, 0x8001};
+  picture(1, 0) = {65535, 1, 256, 65535};
+  const std::string path = folder.file("a.png");
+  test::writeBytes(path, encodePng(picture, 0));
+  const test::Bytes file = test::readBytes(path);
+  EXPECT_EQ(file[24], 16);
+  const test::Bytes row = {1, 2, 0xFF, 0xFE, 0, 0, 0x80, 1, 0xFF, 0xFF, 0, 1, 1, 0, 0xFF, 0xFF};
+  EXPECT_NE(std::search(file.begin(), file.end(), row.begin(), row.end()), file.end());
+  const Image<Rgba> read = readPng(path);
+  for (int x = 0; x < 2; ++x) {
+    EXPECT_EQ(std::lround(65535.0F * read(x, 0).r), picture(x, 0).r);
+    EXPECT_EQ(std::lround(65535.0F * read(x, 0).g), picture(x, 0).g);
+    EXPECT_EQ(std::lround(65535.0F * read(x, 0).b), picture(x, 0).b);
+    EXPECT_EQ(std::lround(65535.0F * read(x, 0).a), picture(x, 0).a);
+  }
+}
+
+TEST(EncodePng, AnOpaquePictureHasNoAlpha) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  test::writeBytes(path, encodePng(Image<Rgba8>({3, 2}, Rgba8{1, 2, 3, 4}), 2, {true, {}}));
+  EXPECT_EQ(test::readBytes(path)[25], 2) << "colour type RGB";
+  const Rgba pixel = readPng(path)(2, 1);
+  EXPECT_EQ(toByte(pixel.r), 1);
+  EXPECT_EQ(toByte(pixel.b), 3);
+  EXPECT_EQ(pixel.a, 1.0F);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "fluidymation/core/error.h"
+#include "pipeline/painted_pixels.h"
+#include "support/half_covered.h"
 #include "support/synthetic_scene.h"
 #include "support/temporary_folder.h"
 
@@ -13,54 +15,48 @@ using test::TemporaryFolder;
 
 constexpr Size kSize{31, 23};
 
-/// The left half covered, and a column in the middle covered in part.
-GuideFrame halfCovered() {
-  GuideFrame guides;
-  guides.mask = Mask(kSize);
-  guides.coverage = Image<float>(kSize);
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x <= kSize.width / 2; ++x) {
-      const bool edge = x == kSize.width / 2;
-      guides.mask(x, y) = edge ? 0 : 1;
-      guides.coverage(x, y) = edge ? 0.25F : 1.0F;
-    }
-  }
-  return guides;
-}
-
-TEST(ToOutput, PaintsWhatIsCoveredAndLeavesTheRestEmpty) {
-  const Image<Lab> picture = test::randomTexture(kSize, 3);
-  const Image<Rgba8> output = toOutput(picture, halfCovered(), SrgbByteEncoder());
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
-      const Rgba8 p = output(x, y);
-      const Rgb color = toRgb(picture(x, y));
-      if (x > kSize.width / 2) {
-        ASSERT_TRUE(p.r == 0 && p.g == 0 && p.b == 0 && p.a == 0);
-        continue;
-      }
-      ASSERT_EQ(p.a, x == kSize.width / 2 ? 64 : 255);
-      ASSERT_TRUE(p.r == toByte(color.r) && p.g == toByte(color.g) && p.b == toByte(color.b));
-    }
-  }
-}
+GuideFrame halfCovered() { return test::halfCovered(kSize); }
 
 TEST(FrameWriter, WritesWhatIsPaintedAsWritePngWould) {
   const TemporaryFolder folder;
   const Image<Lab> picture = test::randomTexture(kSize, 3);
-  FrameWriter writer(5);
+  FrameWriter writer({BitDepth::k8, 5});
   writer.write(folder.file("a.png"), picture, halfCovered());
-  writePng(folder.file("b.png"), toOutput(picture, halfCovered(), SrgbByteEncoder()), 5);
+  writePng(folder.file("b.png"), straightPixels8(picture, halfCovered(), SrgbByteEncoder()), 5);
   EXPECT_EQ(test::readBytes(folder.file("a.png")), test::readBytes(folder.file("b.png")));
+}
+
+TEST(FrameWriter, WritesAllFormsWithTheirColourChunks) {
+  constexpr std::size_t kBitDepthByte = 24;
+  constexpr std::size_t kColorTypeByte = 25;
+  const TemporaryFolder folder;
+  const Image<Lab> picture = test::randomTexture(kSize, 3);
+  for (const BitDepth depth : {BitDepth::k8, BitDepth::k16}) {
+    for (const bool opaque : {false, true}) {
+      FrameForm form{depth};
+      form.color.srgbIntent = 1;
+      if (opaque) form.background = Image<Rgb>(kSize, Rgb{1.0F, 0.0F, 0.0F});
+      FrameWriter writer(std::move(form));
+      const std::string path = folder.file("a.png");
+      writer.write(path, picture, halfCovered());
+      const test::Bytes file = test::readBytes(path);
+      EXPECT_EQ(file[kBitDepthByte], depth == BitDepth::k8 ? 8 : 16);
+      EXPECT_EQ(file[kColorTypeByte], opaque ? 2 : 6);
+      EXPECT_EQ(readColorChunks(path).chunks.srgbIntent, 1);
+      const Rgba corner = readPng(path)(kSize.width - 1, 0);
+      EXPECT_EQ(corner.a, opaque ? 1.0F : 0.0F);
+      EXPECT_EQ(corner.r, opaque ? 1.0F : 0.0F);
+    }
+  }
 }
 
 /// A writer that counts the frames that it encodes.
 struct CountingWriter {
   int encoded = 0;
-  FrameWriter writer{[this](const Image<Rgba8>& pixels) {
-    ++encoded;
-    return encodePng(pixels);
-  }};
+  FrameWriter writer{FrameForm{}, [this](const FrameWriter::Pixels& pixels) {
+                       ++encoded;
+                       return encodePng(std::get<Image<Rgba8>>(pixels));
+                     }};
 };
 
 TEST(FrameWriter, AFrameThatLooksAsTheOneBeforeIsNotEncodedAgain) {
@@ -95,7 +91,7 @@ TEST(FrameWriter, AnotherOutlineIsAnotherFrame) {
 TEST(FrameWriter, NamesTheFileThatCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.file("none/a.png");
-  FrameWriter writer(kDefaultCompression);
+  FrameWriter writer(FrameForm{});
   EXPECT_EQ(test::messageOf<Error>(
                 [&] { writer.write(path, test::randomTexture(kSize, 1), halfCovered()); }),
             path + ": cannot be written (No such file or directory)");

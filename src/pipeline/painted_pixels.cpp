@@ -1,0 +1,148 @@
+#include "pipeline/painted_pixels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "compositing/over.h"
+#include "fluidymation/core/geometry.h"
+#include "fluidymation/core/parallel.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr float kMost16 = 65535.0F;
+
+[[nodiscard]] std::uint16_t to16Bits(float value) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost16));
+}
+
+/// Calls `pixel(x, y)` for all pixels of an image, rows side by side.
+template <typename Color, typename Make>
+[[nodiscard]] Image<Color> madeOf(Size size, const Make& pixel) {
+  Image<Color> output(size);
+  forEachRow(size.height, [&](int y) {
+    for (int x = 0; x < size.width; ++x) output(x, y) = pixel(x, y);
+  });
+  return output;
+}
+
+/// Calls `visit(x, y)` for the eight pixels round one, as far as they lie in the image.
+template <typename Visit>
+void forNeighbors(Size size, Pixel center, const Visit& visit) {
+  for (int y = std::max(center.y - 1, 0); y <= std::min(center.y + 1, size.height - 1); ++y) {
+    for (int x = std::max(center.x - 1, 0); x <= std::min(center.x + 1, size.width - 1); ++x) {
+      if (x != center.x || y != center.y) visit(x, y);
+    }
+  }
+}
+
+/// Gives transparent pixels near others their colours, ring by ring: the mean of those of the ring
+/// before that they touch.
+template <typename Color>
+void spreadColors(Image<Color>& image) {
+  const Size size = image.size();
+  constexpr std::uint8_t kUnknown = 255;
+  Image<std::uint8_t> ring(size, kUnknown);  // 0: painted
+  std::vector<Pixel> last;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (image(x, y).a == 0) continue;
+      ring(x, y) = 0;
+      bool isEdge = false;
+      forNeighbors(size, {x, y}, [&](int nx, int ny) { isEdge = isEdge || image(nx, ny).a == 0; });
+      if (isEdge) last.push_back({x, y});
+    }
+  }
+  for (int number = 1; number <= kColorMarginPx; ++number) {
+    std::vector<Pixel> next;
+    for (const Pixel from : last) {
+      forNeighbors(size, from, [&](int x, int y) {
+        if (ring(x, y) != kUnknown) return;
+        ring(x, y) = static_cast<std::uint8_t>(number);
+        next.push_back({x, y});
+      });
+    }
+    for (const Pixel to : next) {
+      std::uint32_t r = 0;
+      std::uint32_t g = 0;
+      std::uint32_t b = 0;
+      std::uint32_t count = 0;
+      forNeighbors(size, to, [&](int x, int y) {
+        if (ring(x, y) >= number) return;
+        const Color& known = image(x, y);
+        r += known.r;
+        g += known.g;
+        b += known.b;
+        ++count;
+      });
+      using Channel = decltype(Color::r);
+      const auto mean = [count](std::uint32_t sum) {
+        return static_cast<Channel>((sum + count / 2) / count);
+      };
+      image(to.x, to.y) = {mean(r), mean(g), mean(b), 0};
+    }
+    last = std::move(next);
+  }
+}
+
+/// Of pixel (x, y), sRGB-encoded and not rounded.
+[[nodiscard]] Rgb over(const Image<Lab>& picture, float alpha, const Image<Rgb>& background, int x,
+                       int y) {
+  if (alpha <= 0.0F) return background(x, y);
+  const Rgb color = toRgb(picture(x, y));
+  return composited(Rgba{color.r, color.g, color.b, alpha}, background(x, y));
+}
+
+}  // namespace
+
+Image<Rgba8> straightPixels8(const Image<Lab>& picture, const GuideFrame& guides,
+                             const SrgbByteEncoder& encoder) {
+  Image<Rgba8> output = madeOf<Rgba8>(picture.size(), [&](int x, int y) {
+    const std::uint8_t alpha = toByte(guides.coverageAt(x, y));
+    if (alpha == 0) return Rgba8{};
+    const Rgb8 color = encoder(picture(x, y));
+    return Rgba8{color.r, color.g, color.b, alpha};
+  });
+  spreadColors(output);
+  return output;
+}
+
+Image<Rgba16> straightPixels16(const Image<Lab>& picture, const GuideFrame& guides) {
+  Image<Rgba16> output = madeOf<Rgba16>(picture.size(), [&](int x, int y) {
+    const std::uint16_t alpha = to16Bits(guides.coverageAt(x, y));
+    if (alpha == 0) return Rgba16{};
+    const Rgb color = toRgb(picture(x, y));
+    return Rgba16{to16Bits(color.r), to16Bits(color.g), to16Bits(color.b), alpha};
+  });
+  spreadColors(output);
+  return output;
+}
+
+Image<Rgba8> opaquePixels8(const Image<Lab>& picture, const GuideFrame& guides,
+                           const Image<Rgb>& background, const SrgbByteEncoder& encoder) {
+  assert(background.size() == picture.size());
+  return madeOf<Rgba8>(picture.size(), [&](int x, int y) {
+    constexpr std::uint8_t kOpaque = 255;
+    const float alpha = guides.coverageAt(x, y);
+    if (alpha >= 1.0F) {
+      const Rgb8 color = encoder(picture(x, y));
+      return Rgba8{color.r, color.g, color.b, kOpaque};
+    }
+    const Rgb color = over(picture, alpha, background, x, y);
+    return Rgba8{toByte(color.r), toByte(color.g), toByte(color.b), kOpaque};
+  });
+}
+
+Image<Rgba16> opaquePixels16(const Image<Lab>& picture, const GuideFrame& guides,
+                             const Image<Rgb>& background) {
+  assert(background.size() == picture.size());
+  return madeOf<Rgba16>(picture.size(), [&](int x, int y) {
+    const Rgb color = over(picture, guides.coverageAt(x, y), background, x, y);
+    return Rgba16{to16Bits(color.r), to16Bits(color.g), to16Bits(color.b), to16Bits(1.0F)};
+  });
+}
+
+}  // namespace fluidymation
