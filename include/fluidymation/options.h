@@ -179,6 +179,13 @@ enum class NewMaterial {
   kPlain,  ///< the thesis': as its motion extents say; what lies still looks as if it always had
 };
 
+/// Whether frames are painted from the last to the first; P§5, thesis figure 5.4.
+enum class Reverse {
+  kOff,
+  kOn,
+  kAutomatic,  ///< where new material is plain and the target turns out to be lines being drawn
+};
+
 /// Frames of a target by their own numbers, both ends included.
 struct FrameNumbers {
   int first = 0;
@@ -241,6 +248,9 @@ struct Options {
   /// Of the target. A filmed medium spreads by its edge and does not travel as a whole.
   MotionModel motionModel = MotionModel::kNormals;
   NewMaterial newMaterial = NewMaterial::kAutomatic;
+  /// The order that frames are painted in; numbers and names are the same in either. Material is
+  /// plain then.
+  Reverse reverse = Reverse::kOff;
   SynthesisOptions synthesis;
 
   std::optional<std::string> dumpGuidesDirectory;

@@ -9,11 +9,12 @@ namespace fluidymation {
 
 /// A target frame that has been painted and written.
 struct FrameReport {
-  int index = 0;         ///< 0 for the first frame of the sequence
-  int count = 0;         ///< frames of the sequence; with --render-frames, up to the last of these
-  int frameNumber = 0;   ///< the user's own number
-  double seconds = 0.0;  ///< since the frame before was written, or painting began
-  std::string path;      ///< the file written
+  int index = 0;          ///< in the order of painting; 0 for the first frame of the sequence
+  int count = 0;          ///< frames of the sequence; with --render-frames, up to the last of these
+  int frameNumber = 0;    ///< the user's own number
+  double seconds = 0.0;   ///< since the frame before was written, or painting began
+  std::string path;       ///< the file written
+  bool reversed = false;  ///< whether frames come from the last to the first (--reverse)
 };
 
 /// How the engine speaks and listens while it works; all are called from the thread that called

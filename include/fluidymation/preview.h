@@ -7,6 +7,7 @@
 
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/options.h"
+#include "fluidymation/pipeline.h"
 
 namespace fluidymation {
 
@@ -43,9 +44,9 @@ class Preview {
   Preview& operator=(const Preview&) = delete;
   ~Preview();
 
-  /// A frame (from 0 in the sequence) is written; the preview is too, where it is due.
+  /// A frame is written; the preview is too, where it is due.
   /// @throws Error naming the file, Interrupted.
-  void frameWritten(int frame);
+  void frameWritten(const FrameReport& report);
 
   /// Writes the preview of all frames that are there.
   /// @return  how many; 0: none is there, and nothing was written.

@@ -141,6 +141,12 @@ void addGuides(Table& table) {
                            {"plain", NewMaterial::kPlain}},
                           "thesis §5: plain",
                           [](CommandLine& c) -> NewMaterial& { return c.options.newMaterial; });
+  table.word<Reverse>("--reverse", kGuides,
+                      "on: paint from the last frame to the first; auto: where lines\n"
+                      "are being drawn and --new-material is plain",
+                      {{"off", Reverse::kOff}, {"on", Reverse::kOn}, {"auto", Reverse::kAutomatic}},
+                      "paper §5, thesis figure 5.4",
+                      [](CommandLine& c) -> Reverse& { return c.options.reverse; });
   const ModulationBounds bounds;
   table.add(
       {"--prev-modulation-bounds", kGuides, "M_U,M_L",

@@ -43,9 +43,9 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
   const auto isCancelled = [&] { return stopSignal && stopSignal() != 0; };
   std::optional<Preview> preview;
   bool refreshes = false;
-  const auto refresh = [&](int frame) {
+  const auto refresh = [&](const FrameReport& report) {
     try {
-      preview->frameWritten(frame);
+      preview->frameWritten(report);
     } catch (const Error& error) {  // the painting is worth more
       progress.note(std::string(error.what()) + "; the preview waits for the end");
       refreshes = false;
@@ -60,7 +60,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
                             } else {
                               progress.frameDone(report);
                             }
-                            if (refreshes) refresh(report.index);
+                            if (refreshes) refresh(report);
                           },
                           isCancelled,
                           [&](int frame, int frameCount) {

@@ -146,6 +146,11 @@ void validate(const Options& options) {
     throw UsageError(
         "--motion-model rigid: not wanted with --target-flow-path, which tells how things move");
   }
+  if (options.reverse == Reverse::kOn && options.newMaterial == NewMaterial::kFresh) {
+    throw UsageError(
+        "--reverse on: not wanted with --new-material fresh, which paints lines being drawn in "
+        "their own order");
+  }
   if (options.dumpGuidesDirectory && options.dumpGuidesDirectory->empty()) {
     throw UsageError("--dump-guides with an empty value: wanted a folder's name");
   }

@@ -85,6 +85,17 @@ namespace {
   }
   return "plain";
 }
+[[nodiscard]] const char* word(Reverse reverse) {
+  switch (reverse) {
+    case Reverse::kAutomatic:
+      return "auto";
+    case Reverse::kOn:
+      return "on";
+    case Reverse::kOff:
+      break;
+  }
+  return "off";
+}
 [[nodiscard]] const char* word(FinestLevel level) {
   switch (level) {
     case FinestLevel::kUpscaled:
@@ -171,6 +182,7 @@ OptionTexts shapingOptions(const Options& options) {
     texts.emplace_back("--border-width", numberText(*options.borderWidthPx));
   }
   texts.emplace_back("--new-material", word(options.newMaterial));
+  texts.emplace_back("--reverse", word(options.reverse));
   addSynthesis(options.synthesis, texts);
   return texts;
 }

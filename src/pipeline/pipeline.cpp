@@ -35,6 +35,7 @@
 #include "pipeline/nnf_dump.h"
 #include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
+#include "pipeline/painting_order.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
 #include "pipeline/sequence_guides.h"
@@ -82,6 +83,8 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
   if (options.newMaterial != NewMaterial::kAutomatic) {
     return options.newMaterial == NewMaterial::kFresh;
   }
+  // Where lines are erased, they are drawn in the order of painting only
+  if (options.reverse == Reverse::kOn) return false;
   if (!target.drawsLines()) return false;
   if (observer.note) {
     observer.note(
@@ -152,14 +155,8 @@ void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
   }
 }
 
-}  // namespace
-
-void stylize(const Options& given, const Observer& observer) {
-  if (given.continuation.existing == ExistingFrames::kKeep) {
-    for (const Options& run : runsForMissingFrames(given, observer)) stylize(run, observer);
-    return;
-  }
-  validate(given);
+/// Paints the frames of the target in the order that the options give.
+void paintInOrder(const Options& given, const Observer& observer) {
   const ThreadShares shares = shareThreads(given.threads);
   const ThreadCount threads(given.threads, shares.beside());
 
@@ -266,7 +263,8 @@ void stylize(const Options& given, const Observer& observer) {
   };
   events.written = [&](int j, double seconds) {
     if (!observer.frameDone) return;
-    observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)]});
+    observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)],
+                        options.reverse == Reverse::kOn});
   };
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
   lock.setUnfinished(true);
@@ -275,6 +273,18 @@ void stylize(const Options& given, const Observer& observer) {
     runFrames(painter.painted(), stages, shares, events);
   });
   lock.setUnfinished(false);
+}
+
+}  // namespace
+
+void stylize(const Options& given, const Observer& observer) {
+  validate(given);
+  const Options options = inPaintingOrder(given, observer);
+  if (options.continuation.existing != ExistingFrames::kKeep) {
+    paintInOrder(options, observer);
+    return;
+  }
+  for (const Options& run : runsForMissingFrames(options, observer)) paintInOrder(run, observer);
 }
 
 }  // namespace fluidymation

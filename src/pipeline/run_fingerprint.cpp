@@ -6,6 +6,7 @@
 #include "fluidymation/core/version.h"
 #include "pipeline/backdrop.h"
 #include "pipeline/option_texts.h"
+#include "pipeline/painting_order.h"
 
 namespace fluidymation {
 namespace {
@@ -28,6 +29,7 @@ Fingerprint fingerprintOf(const Options& options, const Inputs& inputs,
   Options found = options;
   found.source.frames = inputs.color.files.count();  // not how many were asked for at most
   found.target.frames = inputs.target.files.count();
+  if (found.reverse == Reverse::kOn) found.target = backwards(found.target);  // as it was given
   Fingerprint fingerprint;
   fingerprint.version = version();
   fingerprint.options = shapingOptions(found);

@@ -9,7 +9,7 @@
 namespace fluidymation {
 
 /// What the frames of this run depend on: reads all input files.
-/// @param options     with all widths found.
+/// @param options     with all widths found, in the order of painting (`inPaintingOrder`).
 /// @param beforeEach  called before each file.
 /// @throws Error naming a file that cannot be read.
 [[nodiscard]] Fingerprint fingerprintOf(const Options& options, const Inputs& inputs,

@@ -133,10 +133,10 @@ struct Preview::Content {
   MaskChannel targetChannel = MaskChannel::kBrightness;
   int written = 0;  ///< since the last refresh
 
-  /// Those before `limit` that are on the disk.
-  [[nodiscard]] std::vector<int> existing(int limit) const {
+  /// Those from `from` to before `limit` that are on the disk.
+  [[nodiscard]] std::vector<int> existing(int from, int limit) const {
     std::vector<int> indices;
-    for (int i = begin; i < std::min(limit, end); ++i) {
+    for (int i = std::max(from, begin); i < std::min(limit, end); ++i) {
       std::error_code ignored;
       if (fs::exists(framePath(i), ignored)) indices.push_back(i);
     }
@@ -218,15 +218,21 @@ Preview::Preview(const Options& options, const PreviewOptions& preview,
 
 Preview::~Preview() = default;
 
-void Preview::frameWritten(int frame) {
+void Preview::frameWritten(const FrameReport& report) {
   if (!content_->options.every || ++content_->written < *content_->options.every) return;
   content_->written = 0;
   const bool isSheet = content_->format == Format::kSheet;
-  content_->write(content_->existing(frame + 1), isSheet ? kMostOnSheet : kMostWhileRunning);
+  const std::vector<int>& numbers = content_->inputs.target.files.numbers;
+  const auto frame = static_cast<int>(
+      std::find(numbers.begin(), numbers.end(), report.frameNumber) - numbers.begin());
+  // What the run has painted, and what was there before it went on
+  const std::vector<int> shown = report.reversed ? content_->existing(frame, content_->end)
+                                                 : content_->existing(content_->begin, frame + 1);
+  content_->write(shown, isSheet ? kMostOnSheet : kMostWhileRunning);
 }
 
 int Preview::finish() {
-  const std::vector<int> all = content_->existing(content_->end);
+  const std::vector<int> all = content_->existing(content_->begin, content_->end);
   if (all.empty()) return 0;
   const int count = static_cast<int>(all.size());
   content_->write(all, content_->format == Format::kSheet ? kMostOnSheet : std::max(count, 2));

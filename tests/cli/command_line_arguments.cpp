@@ -90,6 +90,8 @@ const std::vector<Reaching>& reachingOptions() {
        [](C c) { return c.options.motionModel == MotionModel::kRigidParts; }},
       {"--new-material", "fresh", [](C c) { return c.options.newMaterial == NewMaterial::kFresh; }},
       {"--new-material", "plain", [](C c) { return c.options.newMaterial == NewMaterial::kPlain; }},
+      {"--reverse", "on", [](C c) { return c.options.reverse == Reverse::kOn; }},
+      {"--reverse", "auto", [](C c) { return c.options.reverse == Reverse::kAutomatic; }},
       {"--thin-parts", "fringe",
        [](C c) { return c.options.synthesis.thinParts == ThinParts::kFringe; }},
       {"--extent-unit", "px",
