@@ -16,7 +16,9 @@ namespace {
 constexpr int kLeastSidePx = 16;
 constexpr int kSidesPerTexture = 3;  ///< blocks along the shorter side of the texture, at least
 constexpr int kSidesPerOverlap = 4;
-constexpr std::size_t kFewestPlaces = 64;  ///< fewer would show as repetitions
+/// Places for blocks, in areas of a block: where they were fewer, all would show the same.
+constexpr int kPlacesPerArea = 4;
+constexpr std::size_t kFewestPlaces = 64;  ///< of the smallest blocks
 constexpr int kTries = 60;                 ///< places that a block is chosen from
 
 [[nodiscard]] float squaredDifference(Rgb a, Rgb b) {
@@ -127,7 +129,7 @@ std::optional<Image<Rgb>> quilted(const Image<Rgb>& texture, const Mask& usable,
   assert(texture.size() == usable.size());
   int side = std::max(kLeastSidePx, std::min(texture.width(), texture.height()) / kSidesPerTexture);
   std::vector<Pixel> places = placesFor(usable, side);
-  while (places.size() < kFewestPlaces && side / 2 >= kLeastSidePx) {
+  while (places.size() < at(kPlacesPerArea * side * side) && side / 2 >= kLeastSidePx) {
     side /= 2;
     places = placesFor(usable, side);
   }
