@@ -65,9 +65,9 @@ void parse(png_structp png, png_infop info, Parsed& parsed) {
   parsed.undoesGamma = declaredGamma(png, info) != 0.0;
   parsed.hasIntent = png_get_sRGB(png, info, &parsed.intent) != 0;
   parsed.hasGamma = png_get_gAMA_fixed(png, info, &parsed.gamma) != 0;
-  auto& xy = parsed.chromaticities;
-  parsed.hasChromaticities = png_get_cHRM_fixed(png, info, &xy[0], &xy[1], &xy[2], &xy[3], &xy[4],
-                                                &xy[5], &xy[6], &xy[7]) != 0;
+  auto& [whiteX, whiteY, redX, redY, greenX, greenY, blueX, blueY] = parsed.chromaticities;
+  parsed.hasChromaticities = png_get_cHRM_fixed(png, info, &whiteX, &whiteY, &redX, &redY, &greenX,
+                                                &greenY, &blueX, &blueY) != 0;
   int compression = 0;
   png_get_iCCP(png, info, &parsed.profileName, &compression, &parsed.profile, &parsed.profileBytes);
 }

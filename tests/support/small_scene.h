@@ -93,7 +93,7 @@ inline const std::vector<std::string> kFourFrames = {"00001.png", "00002.png", "
 [[nodiscard]] SmallScene::Painting filesOf(const std::string& folder);
 
 /// Whether this is an 8-bit RGBA file of the mask's size that is opaque inside the mask, and
-/// transparent and black outside.
+/// transparent outside, and black away from it.
 [[nodiscard]] ::testing::AssertionResult isPaintedExactly(const std::string& path,
                                                           const Mask& mask);
 

@@ -107,7 +107,7 @@ TEST(ManifestTest, WhatIsNoneIsRefusedByName) {
   }
   Manifest many = manifest();
   many.fingerprint.inputs.clear();
-  for (const char* option : {"a", "b", "c", "d", "e", "f"}) {
+  for (const char* option : {"a", "b", "c", "d", "e", "f", "g"}) {
     many.fingerprint.inputs.push_back({option, {}});
   }
   EXPECT_EQ(complaint(textOf(encode(many))), path + ": holds more than a run can have");
