@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fluidymation/core/color.h"
 #include "fluidymation/io/compression_level.h"
 
 namespace fluidymation {
@@ -252,6 +253,9 @@ struct Options {
   /// plain then.
   Reverse reverse = Reverse::kOff;
   SynthesisOptions synthesis;
+  /// Whose hue and chroma the painted medium gets, pixel by pixel as much of it as there is
+  /// (`Recoloring`); lightness stays.
+  std::optional<Rgb8> recolor;
 
   std::optional<std::string> dumpGuidesDirectory;
   ContinuationOptions continuation;

@@ -10,7 +10,9 @@
 #include "fluidymation/automatic.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/option_ranges.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/presets.h"
+#include "preview/backdrop.h"
 
 namespace fluidymation::cli {
 namespace {
@@ -41,6 +43,22 @@ void addLook(Table& table) {
              },
              [](const CommandLine& line) { return std::optional<std::string>(line.preset); },
              presetNames()});
+  table.add({"--recolor", kLook, "COLOR",
+             "give the paint this hue and chroma and keep its lightness:\n#RRGGBB, white, black, "
+             "gray; the bare surface stays as it is\n(default off; not in the thesis)",
+             false,
+             [](CommandLine& line, const std::string& value) {
+               const std::optional<Rgb> color = colorOf(value);
+               if (!color) {
+                 throw UsageError(shown("--recolor", value) +
+                                  ": wanted a colour, #RRGGBB, white, black or gray");
+               }
+               line.options.recolor = {toByte(color->r), toByte(color->g), toByte(color->b)};
+             },
+             [](const CommandLine& line) -> std::optional<std::string> {
+               if (!line.options.recolor) return std::nullopt;
+               return colorText(*line.options.recolor);
+             }});
 }
 
 void addMasksAndMotion(Table& table) {

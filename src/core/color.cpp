@@ -98,14 +98,37 @@ float srgbEncode(float linear) {
   return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
+std::string colorText(Rgb8 color) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : {color.r, color.g, color.b}) {
+    text += kDigits[channel / 16];
+    text += kDigits[channel % 16];
+  }
+  return text;
+}
+
 Lab toLab(Rgb color) {
   return labOfLinear({srgbDecode(color.r), srgbDecode(color.g), srgbDecode(color.b)});
+}
+
+Lab toLab(Rgb8 color) {
+  constexpr float kWhite = 255.0F;
+  const auto channel = [](std::uint8_t byte) { return static_cast<float>(byte) / kWhite; };
+  return toLab(Rgb{channel(color.r), channel(color.g), channel(color.b)});
 }
 
 Rgb toRgb(Lab color) {
   const auto channel = [](float linear) { return srgbEncode(std::clamp(linear, 0.0F, 1.0F)); };
   const Rgb linear = linearRgb(color);
   return {channel(linear.r), channel(linear.g), channel(linear.b)};
+}
+
+bool isInGamut(Lab color) {
+  constexpr float kRounding = 1e-4F;  // of linear light; a third of a byte's step where it is finest
+  const Rgb linear = linearRgb(color);
+  const auto fits = [](float c) { return c >= -kRounding && c <= 1.0F + kRounding; };
+  return fits(linear.r) && fits(linear.g) && fits(linear.b);
 }
 
 Image<Lab> toLab(const Image<Rgb>& image) {

@@ -184,6 +184,7 @@ OptionTexts shapingOptions(const Options& options) {
   texts.emplace_back("--new-material", word(options.newMaterial));
   texts.emplace_back("--reverse", word(options.reverse));
   addSynthesis(options.synthesis, texts);
+  if (options.recolor) texts.emplace_back("--recolor", colorText(*options.recolor));
   return texts;
 }
 

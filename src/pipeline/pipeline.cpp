@@ -30,6 +30,7 @@
 #include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
+#include "pipeline/medium_colors.h"
 #include "pipeline/memory.h"
 #include "pipeline/memory_limit.h"
 #include "pipeline/nnf_dump.h"
@@ -175,6 +176,8 @@ void paintInOrder(const Options& given, const Observer& observer) {
   const std::string chosen = chosenWidths(given, options);
   if (!chosen.empty() && observer.note) observer.note(chosen);
 
+  const std::optional<Recoloring> recoloring =
+      recoloringFor(options, inputs, sourceChannel, stopIfWanted);
   const RunIdentity run = identityOf(options, inputs, outPaths, stopIfWanted);
   RunLock lock(run.files);
   lock.takeIfUsed();
@@ -241,7 +244,11 @@ void paintInOrder(const Options& given, const Observer& observer) {
     notes.push_back(
         flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion)
             .value_or(""));
-    return painter.paint(j, std::move(frame));
+    std::vector<PaintedFrame> painted = painter.paint(j, std::move(frame));
+    if (recoloring) {
+      for (PaintedFrame& f : painted) recolor(*recoloring, f.guides, f.picture);
+    }
+    return painted;
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
     const Digest digest = writer.write(outPaths[at(j)], painted.picture, painted.guides);

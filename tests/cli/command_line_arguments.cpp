@@ -106,6 +106,8 @@ const std::vector<Reaching>& reachingOptions() {
        }},
       {"--seed", "18446744073709551615",
        [](C c) { return c.options.synthesis.seed == 18446744073709551615U; }},
+      {"--recolor", "#c02",
+       [](C c) { return c.options.recolor && colorText(*c.options.recolor) == "#cc0022"; }},
       {"--checkpoint-every", "5", [](C c) { return c.options.continuation.checkpointEvery == 5; }},
       {"--preview", "p.png", [](C c) { return c.preview.path == "p.png"; }},
       {"--preview-background", "white", [](C c) { return c.preview.background == "white"; }},

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-
+#include <string>
 #include <vector>
 
 #include "fluidymation/core/image.h"
@@ -23,6 +23,9 @@ struct Rgb8 {
   std::uint8_t b = 0;
 };
 
+/// "#f4f1e8"
+[[nodiscard]] std::string colorText(Rgb8 color);
+
 /// CIELAB, D65 white, L in [0, 100]. The space in which patches are compared and averaged.
 struct Lab {
   float l = 0.0F;
@@ -34,9 +37,13 @@ struct Lab {
 [[nodiscard]] float srgbEncode(float linear);
 
 [[nodiscard]] Lab toLab(Rgb color);
+[[nodiscard]] Lab toLab(Rgb8 color);
 
 /// Colours outside the sRGB gamut are clipped channel by channel.
 [[nodiscard]] Rgb toRgb(Lab color);
+
+/// Whether sRGB has the colour, but for what rounding does to colours at its limits.
+[[nodiscard]] bool isInGamut(Lab color);
 
 [[nodiscard]] Image<Lab> toLab(const Image<Rgb>& image);
 
