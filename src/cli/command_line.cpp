@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/apply_options.h"
 #include "cli/command_syntax.h"
 #include "cli/config_file.h"
 #include "cli/input_folders.h"
@@ -60,8 +61,6 @@ constexpr const char* kVersion = "--version";
                    (likely.empty() ? "; see --help" : "; did you mean " + likely + "?"));
 }
 
-using Names = std::set<std::string>;  ///< of options
-
 [[nodiscard]] bool isFlag(const std::string& name, const std::vector<Spec>& table) {
   if (name == kHelp || name == kShortHelp || name == kVersion) return true;
   return std::any_of(table.begin(), table.end(),
@@ -107,15 +106,6 @@ void applyOption(const Spec& spec, const std::vector<std::string>& values, bool 
                        [&](const Spec& spec) { return spec.name == name; });
 }
 
-/// An option with the value that a file has for it.
-void applyEntry(const Spec& spec, const std::string& value, CommandLine& line) {
-  if (!spec.valueName.empty()) return spec.apply(line, value);
-  if (value != "true" && value != "false") {
-    throw UsageError(shown(spec.name, value) + ": wanted true or false");
-  }
-  if (value == "true") spec.apply(line, "");
-}
-
 /// --verify wants nothing but its manifest.
 void refuseOthers(const std::string& alone, const std::vector<Spec>& table, const CLI::App& app) {
   for (const Spec& spec : table) {
@@ -126,46 +116,10 @@ void refuseOthers(const std::string& alone, const std::vector<Spec>& table, cons
   }
 }
 
-void requireOptions(const std::vector<Spec>& table, const Names& given) {
-  std::string missing;
-  for (const Spec& spec : table) {
-    if (!spec.required || given.count(spec.name) > 0) continue;
-    missing += (missing.empty() ? "" : ", ") + spec.name;
-  }
-  if (!missing.empty()) throw UsageError(missing + ": required, but not given (see --help)");
-}
-
-/// @throws UsageError where frames are chosen in two ways at once.
-void requireOneChoice(const Names& given) {
-  for (const std::string prefix : {"--src", "--target"}) {
-    if (given.count(prefix + "-range") == 0) continue;
-    for (const char* other : {"-start", "-frames", "-speed"}) {
-      if (given.count(prefix + other) == 0) continue;
-      std::string message = prefix;
-      message += "-range, ";
-      message += prefix;
-      message += other;
-      throw UsageError(message + ": wanted one of them at most");
-    }
-  }
-}
-
 /// The options of a config file. @return  their names.
 Names applyConfig(const std::string& path, const std::vector<Spec>& table, CommandLine& line) {
   Config config = readConfig(path, table);
-  Names names;
-  for (const Spec& spec : table) {
-    for (const ConfigEntry& entry : config.entries) {
-      if (entry.option != spec.name) continue;
-      names.insert(entry.option);
-      try {
-        applyEntry(spec, entry.value, line);
-      } catch (const UsageError& error) {
-        throw UsageError(entry.place + ": " + error.what());
-      }
-    }
-  }
-  requireOneChoice(names);
+  Names names = applyEntries(config.entries, table, line);
   if (!config.note.empty()) line.notes.push_back(std::move(config.note));
   return names;
 }
@@ -218,7 +172,7 @@ int defaultThreads(const char* ompNumThreads, const char* slurmCpusPerTask, int 
 
 CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* const* argv) {
   const std::vector<Spec>& table = syntax.table;
-  CLI::App app("", syntax.name);
+  CLI::App app("", syntax.name + (syntax.operand.empty() ? "" : " " + syntax.operand));
   describe(app, syntax);
   CommandLine line;
   Names assigned;
@@ -265,7 +219,15 @@ CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* 
   given.insert(givenHere.begin(), givenHere.end());
   // After the values: what a forgotten value pushed aside is not the user's mistake.
   const std::vector<std::string> extras = app.remaining();
-  if (!extras.empty()) refuseArgument(extras.front(), table);
+  const bool hasOperand = !syntax.operand.empty() && extras.size() == 1 &&
+                          !extras.front().empty() && extras.front()[0] != '-';
+  if (hasOperand) {
+    line.operand = extras.front();
+  } else if (!extras.empty()) {
+    refuseArgument(extras.front(), table);
+  } else if (!syntax.operand.empty()) {
+    throw UsageError(syntax.operand + ": the file is missing (see --help)");
+  }
   if (line.manifest) {
     refuseOthers("--verify", table, app);
     return line;

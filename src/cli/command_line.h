@@ -21,6 +21,7 @@ struct CommandLine {
   bool threadsAreGiven = false;     ///< or found from the machine
   bool quiet = false;
   std::optional<std::string> configFile;
+  std::optional<std::string> operand;  ///< see `CommandSyntax::operand`
   bool printsConfig = false;
   std::vector<std::string> notes;          ///< on what was read so far, for the user
   std::optional<std::string> manifest;     ///< check the frames against it and do nothing else

@@ -7,12 +7,12 @@
 #include "cli/nearest.h"
 #include "cli/table_builder.h"
 #include "cli/values.h"
+#include "compositing/plain_background.h"
 #include "fluidymation/automatic.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/option_ranges.h"
-#include "fluidymation/core/color.h"
 #include "fluidymation/presets.h"
-#include "preview/backdrop.h"
 
 namespace fluidymation::cli {
 namespace {

@@ -36,9 +36,10 @@ void Progress::readingBegins() { rewrite("reading the masks and the exemplar ...
 void Progress::paintingBegins(int frame, int frameCount) {
   const std::string count = std::to_string(frameCount);
   if (style_ == Style::kPlain) {
-    out_ << (frame == 0 ? "painting " + count + (frameCount == 1 ? " frame" : " frames")
-                        : "painting frames " + std::to_string(frame + 1) + " to " + count + " of " +
-                              count) +
+    out_ << label_ +
+                (frame == 0 ? "painting " + count + (frameCount == 1 ? " frame" : " frames")
+                            : "painting frames " + std::to_string(frame + 1) + " to " + count +
+                                  " of " + count) +
                 " ...\n"
          << std::flush;
   }
@@ -49,8 +50,8 @@ void Progress::note(const std::string& text) {
   if (style_ == Style::kQuiet) return;
   const std::string line = line_;
   if (!line.empty()) rewrite("");
-  out_ << "fluidymation: note: " + oneLine(text) + "\n" << std::flush;
-  if (!line.empty()) rewrite(line);
+  out_ << "fluidymation: note: " + label_ + oneLine(text) + "\n" << std::flush;
+  if (!line.empty()) show(line);
 }
 
 void Progress::frameDone(const FrameReport& report) {
@@ -63,7 +64,7 @@ void Progress::frameDone(const FrameReport& report) {
   const std::string place =
       "frame " + std::to_string(done) + " of " + std::to_string(report.count) + "  ";
   if (style_ == Style::kPlain) {
-    out_ << place + twoDecimals(report.seconds) + " s  " + oneLine(report.path) + "\n"
+    out_ << label_ + place + twoDecimals(report.seconds) + " s  " + oneLine(report.path) + "\n"
          << std::flush;
     return;
   }
@@ -81,7 +82,8 @@ void Progress::allDone() {
   }
   if (!words.empty()) rewrite(words);
   finishLine();
-  if (!words.empty() && style_ == Style::kPlain) out_ << oneLine(words) + "\n" << std::flush;
+  if (!words.empty() && style_ == Style::kPlain)
+    out_ << label_ + oneLine(words) + "\n" << std::flush;
 }
 
 void Progress::tellOfPreview() {
@@ -102,7 +104,12 @@ void Progress::finishLine() {
 
 void Progress::rewrite(const std::string& line) {
   if (style_ != Style::kTerminal) return;
-  line_ = oneLine(line);
+  line_ = line.empty() ? line : oneLine(label_ + line);
+  show(line_);
+}
+
+void Progress::show(const std::string& line) {
+  line_ = line;
   // Back to the first column; the escape sequence clears what a longer line left behind.
   out_ << "\r" + line_ + "\x1b[K" << std::flush;
 }

@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "fluidymation/pipeline.h"
 
@@ -13,7 +14,9 @@ class Progress {
  public:
   enum class Style { kTerminal, kPlain, kQuiet };
 
-  Progress(std::ostream& out, Style style) : out_(out), style_(style) {}
+  /// @param label  every line begins with it; empty for a run that is alone.
+  Progress(std::ostream& out, Style style, std::string label = "")
+      : out_(out), style_(style), label_(std::move(label)) {}
 
   void readingBegins();
   /// @param frame  to be painted first, from 0.
@@ -35,9 +38,11 @@ class Progress {
 
  private:
   void rewrite(const std::string& line);
+  void show(const std::string& line);
 
   std::ostream& out_;
   Style style_;
+  std::string label_;
   std::string line_;  ///< on the terminal now, not yet ended; empty where there is none
   int framesDone_ = 0;
   double totalSeconds_ = 0.0;

@@ -1,6 +1,8 @@
 #include "cli/progress_lines.h"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/values.h"
 
@@ -9,18 +11,19 @@ namespace {
 
 class JsonLines : public ProgressLines {
  public:
-  explicit JsonLines(std::ostream& out) : out_(out) {}
+  JsonLines(std::ostream& out, RunPlace place) : out_(out), place_(std::move(place)) {}
 
   void readingBegins() override {}
   void paintingBegins(int /*frame*/, int /*frameCount*/) override {}
 
   void frameDone(const FrameReport& report) override {
     using Json = nlohmann::ordered_json;
-    const Json object = {{"frame", report.frameNumber},
-                         {"index", report.index},
-                         {"count", report.count},
-                         {"seconds", report.seconds},
-                         {"path", report.path}};
+    Json object = {{"frame", report.frameNumber},
+                   {"index", report.index},
+                   {"count", report.count},
+                   {"seconds", report.seconds}};
+    if (!place_.layer.empty()) object["layer"] = place_.layer;
+    object["path"] = report.path;
     constexpr int kOneLine = -1;
     out_ << object.dump(kOneLine, ' ', false, Json::error_handler_t::replace) + "\n" << std::flush;
   }
@@ -29,15 +32,17 @@ class JsonLines : public ProgressLines {
 
  private:
   std::ostream& out_;
+  RunPlace place_;
 };
 
 class OpenJobDescriptionLines : public ProgressLines {
  public:
-  explicit OpenJobDescriptionLines(std::ostream& out) : out_(out) {}
+  OpenJobDescriptionLines(std::ostream& out, RunPlace place)
+      : out_(out), place_(std::move(place)) {}
 
   void readingBegins() override {
-    tell("progress", "0");
-    tell("status", "reading the masks and the exemplar");
+    tell("progress", std::to_string(kPercent * place_.index / place_.count));
+    tell("status", place_.label() + "reading the masks and the exemplar");
   }
 
   void paintingBegins(int frame, int frameCount) override {
@@ -46,17 +51,21 @@ class OpenJobDescriptionLines : public ProgressLines {
   }
 
   void frameDone(const FrameReport& report) override {
-    constexpr int kPercent = 100;
-    const int painted = report.index + 1 - begin_;
-    tell("progress", std::to_string(kPercent * painted / (report.count - begin_)));
+    const std::int64_t painted = report.index + 1 - begin_;
+    const std::int64_t frames = report.count - begin_;
+    const std::int64_t done = place_.index * frames + painted;
+    tell("progress", std::to_string(kPercent * done / (place_.count * frames)));
     tell("status", place(report.index, report.count) + " is written: " + report.path);
   }
 
   void failed(const std::string& reason) override { tell("fail", reason); }
 
  private:
-  [[nodiscard]] static std::string place(int frame, int frameCount) {
-    return "frame " + std::to_string(frame + 1) + " of " + std::to_string(frameCount);
+  static constexpr int kPercent = 100;
+
+  [[nodiscard]] std::string place(int frame, int frameCount) const {
+    return place_.label() + "frame " + std::to_string(frame + 1) + " of " +
+           std::to_string(frameCount);
   }
 
   void tell(const char* kind, const std::string& text) {
@@ -64,17 +73,19 @@ class OpenJobDescriptionLines : public ProgressLines {
   }
 
   std::ostream& out_;
+  RunPlace place_;
   int begin_ = 0;  ///< index of the first frame that this run paints
 };
 
 }  // namespace
 
-std::unique_ptr<ProgressLines> progressLines(ProgressFormat format, std::ostream& out) {
+std::unique_ptr<ProgressLines> progressLines(ProgressFormat format, std::ostream& out,
+                                             const RunPlace& place) {
   switch (format) {
     case ProgressFormat::kJson:
-      return std::make_unique<JsonLines>(out);
+      return std::make_unique<JsonLines>(out, place);
     case ProgressFormat::kOpenJobDescription:
-      return std::make_unique<OpenJobDescriptionLines>(out);
+      return std::make_unique<OpenJobDescriptionLines>(out, place);
     case ProgressFormat::kHuman:
       break;
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command_line.h"
+#include "cli/run_place.h"
 #include "fluidymation/pipeline.h"
 
 namespace fluidymation::cli {
@@ -29,13 +30,14 @@ class ProgressLines {
 ///   "index"    its place in the sequence, from 0
 ///   "count"    places up to the last frame to be painted
 ///   "seconds"  since the frame before was written
+///   "layer"    its name, only where a shot is painted in layers; composited frames have none
 ///   "path"     the file; bytes that are not UTF-8 become U+FFFD
 /// in UTF-8 and, like all JSON, without control characters: a name cannot break a line.
 ///
 /// kOpenJobDescription: "openjd_status: ", "openjd_progress: " with the percentage of the frames
 /// this run has to paint, and "openjd_fail: "; Open Job Description's wiki, "How Jobs Are Run",
-/// Stdout/Stderr Messages.
-[[nodiscard]] std::unique_ptr<ProgressLines> progressLines(ProgressFormat format,
-                                                           std::ostream& out);
+/// Stdout/Stderr Messages. Of several runs each has an equal part of the percentage.
+[[nodiscard]] std::unique_ptr<ProgressLines> progressLines(ProgressFormat format, std::ostream& out,
+                                                           const RunPlace& place = {});
 
 }  // namespace fluidymation::cli

@@ -1,6 +1,7 @@
 #include "cli/subcommand.h"
 
 #include "cli/inspect_command.h"
+#include "cli/layers_command.h"
 #include "cli/mask_command.h"
 #include "cli/preview_command.h"
 #include "cli/values.h"
@@ -12,6 +13,7 @@ const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all = {
       {"inspect", "says what is wrong with the inputs and what to expect; paints nothing",
        inspectCommand},
+      {"layers", "paints a shot of several layers, and lays them over each other", layersCommand},
       {"mask", "makes the masks of an exemplar from its film; paints nothing", maskCommand},
       {"preview", "shows painted frames as a sheet or a film; paints nothing", previewCommand}};
   return all;

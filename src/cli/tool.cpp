@@ -1,21 +1,16 @@
 #include "cli/tool.h"
 
 #include <exception>
-#include <memory>
 #include <new>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "cli/command_line.h"
 #include "cli/painter_syntax.h"
-#include "cli/progress.h"
-#include "cli/progress_lines.h"
 #include "cli/resume_command.h"
 #include "cli/subcommand.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
-#include "fluidymation/preview.h"
 #include "fluidymation/verify.h"
 
 namespace fluidymation::cli {
@@ -30,64 +25,6 @@ void printOutOfMemory(const Streams& streams) {
   streams.err << "fluidymation: error: out of memory; smaller frames (--src-scale, "
                  "--target-scale) or fewer (--src-frames) need less\n"
               << std::flush;
-}
-
-void paint(const CommandLine& line, const Streams& streams, const Engine& engine,
-           const StopSignal& stopSignal) {
-  const std::unique_ptr<ProgressLines> lines = progressLines(line.progress, streams.out);
-  Progress::Style style =
-      streams.errIsTerminal && !lines ? Progress::Style::kTerminal : Progress::Style::kPlain;
-  if (line.quiet) style = Progress::Style::kQuiet;
-  Progress progress(streams.err, style);
-  requirePreviewFile(line.preview);
-  const auto isCancelled = [&] { return stopSignal && stopSignal() != 0; };
-  std::optional<Preview> preview;
-  bool refreshes = false;
-  const auto refresh = [&](const FrameReport& report) {
-    try {
-      preview->frameWritten(report);
-    } catch (const Error& error) {  // the painting is worth more
-      progress.note(std::string(error.what()) + "; the preview waits for the end");
-      refreshes = false;
-    } catch (const Interrupted&) {  // the painting stops by itself, and saves its state
-      refreshes = false;
-    }
-  };
-  const Observer observer{[&](const std::string& text) { progress.note(text); },
-                          [&](const FrameReport& report) {
-                            if (lines) {
-                              lines->frameDone(report);
-                            } else {
-                              progress.frameDone(report);
-                            }
-                            if (refreshes) refresh(report);
-                          },
-                          isCancelled,
-                          [&](int frame, int frameCount) {
-                            if (lines) {
-                              lines->paintingBegins(frame, frameCount);
-                            } else {
-                              progress.paintingBegins(frame, frameCount);
-                            }
-                          }};
-  try {
-    for (const std::string& text : line.notes) progress.note(text);
-    if (!line.preview.path.empty()) preview.emplace(line.options, line.preview, isCancelled);
-    refreshes = preview.has_value();
-    if (lines) lines->readingBegins();
-    progress.readingBegins();
-    engine(line.options, observer);
-    progress.allDone();
-    if (!preview) progress.tellOfPreview();
-    if (preview && preview->finish() > 0) progress.previewWritten(line.preview.path);
-  } catch (const Error& failure) {
-    progress.finishLine();
-    if (lines) lines->failed(failure.what());
-    throw;
-  } catch (...) {
-    progress.finishLine();
-    throw;
-  }
 }
 
 /// Says in which frames the disk differs from the manifest. @return  kFailed where it does.
@@ -114,7 +51,7 @@ void paint(const CommandLine& line, const Streams& streams, const Engine& engine
   const CommandLine line = parseCommandLine(painterSyntax(), argc, argv);
   if (line.manifest) return verifyFrames(*line.manifest, streams, stopSignal);
   if (!line.information) {
-    paint(line, streams, engine, stopSignal);
+    paintRun(line, {}, streams, engine, stopSignal);
     return kDone;
   }
   streams.out << *line.information;

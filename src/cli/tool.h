@@ -1,17 +1,12 @@
 #pragma once
 
-#include <functional>
-
+#include "cli/paint_run.h"
 #include "cli/streams.h"
-#include "fluidymation/pipeline.h"
 
 namespace fluidymation::cli {
 
 /// A run stopped by signal n ends with 128 + n, as shells say it: 130 for SIGINT, 143 for SIGTERM.
 inline constexpr int kStoppedBySignal = 128;
-
-/// The engine behind the tool: `stylize`, or a test's stand-in.
-using Engine = std::function<void(const Options&, const Observer&)>;
 
 /// Everything `main` does: reads the arguments, runs the engine or a
 /// subcommand, reports. Throws nothing.

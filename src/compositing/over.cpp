@@ -13,4 +13,11 @@ Image<Rgb> composited(const Image<Rgba>& picture, const Image<Rgb>& background) 
   return result;
 }
 
+void layOver(const Image<Rgba>& picture, Image<Rgba>& canvas) {
+  assert(picture.size() == canvas.size());
+  for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
+    canvas.data()[i] = composited(picture.data()[i], canvas.data()[i]);
+  }
+}
+
 }  // namespace fluidymation

@@ -15,7 +15,22 @@ namespace fluidymation {
           over.a * over.b + rest * under.b};
 }
 
-/// The same for all pixels of a picture; `background` has its size (asserted).
+/// The same over one that may be transparent itself; both of straight alpha. Where neither shows
+/// anything, the result is black and transparent.
+[[nodiscard]] inline Rgba composited(Rgba over, Rgba under) {
+  const float below = (1.0F - over.a) * under.a;
+  const float alpha = over.a + below;
+  if (alpha <= 0.0F) return {0.0F, 0.0F, 0.0F, 0.0F};
+  const float shareOver = over.a / alpha;
+  const float shareUnder = below / alpha;
+  return {shareOver * over.r + shareUnder * under.r, shareOver * over.g + shareUnder * under.g,
+          shareOver * over.b + shareUnder * under.b, alpha};
+}
+
+/// Lays a picture over what lies in `canvas`, which has its size (asserted).
+void layOver(const Image<Rgba>& picture, Image<Rgba>& canvas);
+
+/// A whole picture over an opaque one; `background` has its size (asserted).
 [[nodiscard]] Image<Rgb> composited(const Image<Rgba>& picture, const Image<Rgb>& background);
 
 }  // namespace fluidymation

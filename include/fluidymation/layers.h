@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fluidymation/options.h"
+#include "fluidymation/pipeline.h"
+
+namespace fluidymation {
+
+/// A part of a shot that is painted by a run of its own, with its own exemplar.
+struct Layer {
+  std::string name;  ///< for messages; names differ
+  Options options;   ///< all of its run: `outPath` is where its own frames are written
+};
+
+/// A shot painted in layers, which meet by their frames' numbers: frame 7 shows what each of them
+/// has as its own frame 7.
+struct LayeredShot {
+  std::vector<Layer> layers;  ///< from the lowest to the uppermost
+  std::string outPath;        ///< pattern of the composited frames
+  /// What they are laid over: a colour, a PNG file, "exemplar" for the bare surface of the lowest
+  /// layer's film, "exemplar:NAME" for that of another one's. None: the frames stay transparent.
+  std::optional<std::string> background;
+  ContinuationOptions continuation;  ///< of the composited frames: what may be replaced
+  int compressionLevel = kDefaultCompression;
+};
+
+/// Checks all that can be wrong before anything is painted, as far as headers and folders tell:
+/// options and inputs of every layer, that their frames have one size, that none of them has gaps
+/// where others go on, that the background is there, and that no file that is written replaces one
+/// that is read.
+/// @param observer  is told which layers do not last as long as the shot.
+/// @throws Error, UsageError, Faults, naming the layer.
+void checkLayers(const LayeredShot& shot, const Observer& observer);
+
+/// Lays the painted frames of all layers over each other and over the background, and writes them
+/// with a manifest of their own: of sRGB-encoded values, each pixel by its straight alpha (Porter
+/// and Duff's `over`). One frame of one layer is in memory at a time.
+/// @param observer  `frameDone`, `cancelled` and `note` are used.
+/// @throws Interrupted when `observer.cancelled` asked for it; Error naming the file.
+void compositeLayers(const LayeredShot& shot, const Observer& observer);
+
+/// Does `step`, whose faults then say which layer they belong to.
+/// @throws what `step` throws: Error, UsageError, Faults and Interrupted with the layer's name.
+void inLayer(const std::string& name, const std::function<void()>& step);
+
+}  // namespace fluidymation

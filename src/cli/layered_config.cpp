@@ -1,0 +1,99 @@
+#include "cli/layered_config.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+
+#include "cli/config_lines.h"
+#include "cli/values.h"
+#include "fluidymation/core/error.h"
+
+namespace fluidymation::cli {
+namespace {
+
+constexpr const char* kWantedSection =
+    "; wanted [layer.NAME], a name of letters, digits, - and _, at most 64";
+constexpr std::size_t kLongestName = 64;
+
+[[nodiscard]] bool isPreview(const std::string& option) {
+  return option.compare(0, 9, "--preview") == 0;
+}
+
+/// What there is one of in a shot, however many layers.
+const std::set<std::string> kOfTheShot = {"--out-path", "--background", "--progress", "--quiet"};
+/// What layers must not share.
+const std::set<std::string> kOfALayer = {"--dump-guides"};
+
+/// @throws UsageError where an option stands in the wrong part of the file.
+void requirePart(const ConfigEntry& entry, bool inLayer) {
+  const std::string key = entry.place + ": " + entry.option.substr(2);
+  if (isPreview(entry.option)) {
+    throw UsageError(key +
+                     ": layers have no preview; wanted it of the painted frames, by "
+                     "fluidymation preview");
+  }
+  if (inLayer && kOfTheShot.count(entry.option) > 0) {
+    throw UsageError(key + ": is of the whole shot; wanted above the first layer");
+  }
+  if (!inLayer && kOfALayer.count(entry.option) > 0) {
+    throw UsageError(key + ": layers cannot share it; wanted in a layer");
+  }
+}
+
+/// "horse" of "[layer.horse]". @throws UsageError naming the line.
+[[nodiscard]] std::string layerName(const ConfigLine& line) {
+  constexpr const char* kBegin = "[layer.";
+  constexpr std::size_t kBeginLength = 7;
+  constexpr const char* kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+  const std::string& text = line.text;
+  if (text.compare(0, kBeginLength, kBegin) == 0 && text.back() == ']') {
+    const std::string name = text.substr(kBeginLength, text.size() - kBeginLength - 1);
+    if (!name.empty() && name.size() <= kLongestName &&
+        name.find_first_not_of(kLetters) == std::string::npos) {
+      return name;
+    }
+  }
+  throw UsageError(line.place + ": " + shown("no layer is named by", text) + kWantedSection);
+}
+
+}  // namespace
+
+std::vector<Spec> layeredTable() {
+  std::vector<Spec> table;
+  for (Spec& spec : optionTable()) {
+    if (spec.name != "--background") table.push_back(std::move(spec));
+  }
+  table.push_back({"--background", "Look", "COLOR|FILE|exemplar|exemplar:NAME", "", false,
+                   [](CommandLine&, const std::string&) {},
+                   [](const CommandLine&) { return std::optional<std::string>(); }});
+  return table;
+}
+
+LayeredConfig readLayeredConfig(const std::string& path, const std::vector<Spec>& table) {
+  LayeredConfig config;
+  for (const ConfigLine& line : configLines(path, configTextOf(path))) {
+    if (line.text.front() != '[') {
+      const bool inLayer = !config.layers.empty();
+      ConfigEntry entry = entryOf(line, table);
+      requirePart(entry, inLayer);
+      (inLayer ? config.layers.back().entries : config.entries).push_back(std::move(entry));
+      continue;
+    }
+    std::string name = layerName(line);
+    for (const LayeredConfig::Section& other : config.layers) {
+      if (other.name != name) continue;
+      throw UsageError(line.place + ": layer " + name + ": is there before, see " + other.place +
+                       "; wanted another name");
+    }
+    config.layers.push_back({std::move(name), line.place, {}});
+  }
+  if (config.layers.empty()) {
+    throw UsageError(path + ": there is no layer" + kWantedSection);
+  }
+  requireOnce(config.entries);
+  for (const LayeredConfig::Section& layer : config.layers) requireOnce(layer.entries);
+  return config;
+}
+
+}  // namespace fluidymation::cli

@@ -1,0 +1,100 @@
+#include <cassert>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/frame_pattern.h"
+#include "fluidymation/layers.h"
+#include "fluidymation/option_ranges.h"
+#include "layers/layer_inputs.h"
+#include "pipeline/outputs.h"
+#include "pipeline/protected_files.h"
+
+namespace fluidymation {
+namespace {
+
+/// The patterns of everything that any layer reads.
+[[nodiscard]] std::vector<std::string> inputPatterns(const std::vector<Layer>& layers) {
+  std::vector<std::string> patterns;
+  for (const Layer& layer : layers) {
+    const Options& options = layer.options;
+    for (const std::string& path :
+         {options.source.path, options.sourceMaskPath, options.target.path}) {
+      patterns.push_back(path);
+    }
+    for (const auto& path : {options.sourceFlowPath, options.targetFlowPath}) {
+      if (path) patterns.push_back(*path);
+    }
+  }
+  return patterns;
+}
+
+/// Files that are to be written, and who writes them.
+class OutputFiles {
+ public:
+  OutputFiles(const LayeredShot& shot, const ProtectedFiles& inputs)
+      : shot_(shot), inputs_(inputs) {}
+
+  /// @throws UsageError where `path` is read, or written by another one.
+  void add(const std::string& owner, const std::string& path) {
+    if (inputs_.contains(path)) {
+      throw UsageError(owner + ": " + path +
+                       " is an input and would be overwritten; choose another --out-path");
+    }
+    if (shot_.background && canonical(path) == canonical(*shot_.background)) {
+      throw UsageError(owner + ": " + path +
+                       " is the picture of --background and would be overwritten; choose another "
+                       "--out-path");
+    }
+    const auto [known, isNew] = owners_.emplace(canonical(path).string(), owner);
+    if (isNew) return;
+    throw UsageError(owner + ": " + path + " is written by " + known->second +
+                     ", too; choose another --out-path");
+  }
+
+ private:
+  const LayeredShot& shot_;
+  const ProtectedFiles& inputs_;
+  std::map<std::string, std::string> owners_;
+};
+
+void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
+  const ProtectedFiles inputs(inputPatterns(shot.layers));
+  OutputFiles files(shot, inputs);
+  for (std::size_t i = 0; i < shot.layers.size(); ++i) {
+    const Layer& layer = shot.layers[i];
+    std::vector<std::string> paths;
+    inLayer(layer.name, [&] { paths = checkOutput(layer.options, layers.inputs[i]); });
+    for (const std::string& path : paths) files.add("layer " + layer.name, path);
+  }
+  const FramePattern pattern(shot.outPath);
+  for (const int number : layers.numbers) files.add("--out-path", pattern.path(number));
+  checkFolderCreatable(pattern.folder());
+  for (const int number : layers.numbers) checkReplaceable(pattern.path(number));
+}
+
+/// The film's surface takes long to find, all else is looked at.
+void checkBackground(const LayeredShot& shot, const LayerInputs& layers, const Observer& observer) {
+  if (layerOfBackground(shot)) return;
+  (void)bottomOf(shot, layers, [&observer] {
+    if (observer.cancelled && observer.cancelled()) throw Interrupted("interrupted");
+  });
+}
+
+}  // namespace
+
+void checkLayers(const LayeredShot& shot, const Observer& observer) {
+  assert(!shot.layers.empty());
+  checkOutputPattern("--out-path", shot.outPath);
+  const LayerInputs layers = openLayers(shot);
+  checkOutputs(shot, layers);
+  checkBackground(shot, layers, observer);
+  if (!observer.note) return;
+  for (const std::string& note : notesOnLengths(layers.frames, layers.numbers)) {
+    observer.note(note);
+  }
+}
+
+}  // namespace fluidymation

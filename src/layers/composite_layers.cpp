@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "compositing/over.h"
+#include "fluidymation/core/error.h"
+#include "fluidymation/core/index.h"
+#include "fluidymation/core/version.h"
+#include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/digest.h"
+#include "fluidymation/io/png.h"
+#include "fluidymation/layers.h"
+#include "layers/layer_inputs.h"
+#include "pipeline/existing_frames.h"
+#include "pipeline/run_journal.h"
+#include "pipeline/run_lock.h"
+#include "pipeline/starting_point.h"
+#include "pipeline/stopping.h"
+
+namespace fluidymation {
+namespace {
+
+/// The painted frames of number `number`, from the lowest layer to the uppermost.
+[[nodiscard]] std::vector<std::string> pathsOf(const LayeredShot& shot, const LayerInputs& layers,
+                                               int number) {
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < shot.layers.size(); ++i) {
+    const std::vector<int>& numbers = layers.frames[i].numbers;
+    if (std::find(numbers.begin(), numbers.end(), number) == numbers.end()) continue;
+    paths.push_back(FramePattern(shot.layers[i].options.outPath).path(number));
+  }
+  return paths;
+}
+
+/// One digest for each frame of the shot, of those of the layers' frames: how many layers there are
+/// does not matter to who reads it.
+[[nodiscard]] InputDigests digestsOfLayers(const LayeredShot& shot, const LayerInputs& layers,
+                                           const std::function<void()>& beforeEach) {
+  InputDigests digests{"layers", {}};
+  for (const int number : layers.numbers) {
+    std::string texts;
+    for (const std::string& path : pathsOf(shot, layers, number)) {
+      beforeEach();
+      texts += digestOfFile(path).text();
+    }
+    digests.files.push_back({number, digestOf(texts.data(), texts.size())});
+  }
+  return digests;
+}
+
+[[nodiscard]] RunIdentity identityOf(const LayeredShot& shot, const LayerInputs& layers,
+                                     const std::function<void()>& beforeEach) {
+  const FramePattern pattern(shot.outPath);
+  std::vector<std::string> paths;
+  for (const int number : layers.numbers) paths.push_back(pattern.path(number));
+  std::string names;
+  for (const Layer& layer : shot.layers) names += (names.empty() ? "" : ",") + layer.name;
+  Fingerprint fingerprint;
+  fingerprint.version = version();
+  fingerprint.options = {{"layers", names},
+                         {"background", shot.background.value_or("none")},
+                         {"--compression-level", std::to_string(shot.compressionLevel)}};
+  fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
+  return {RunFiles(pattern), layers.numbers, std::move(paths), std::move(fingerprint), {}};
+}
+
+/// As files hold it.
+[[nodiscard]] Image<Rgba8> pixelsOf(const Image<Rgba>& canvas) {
+  Image<Rgba8> pixels(canvas.size());
+  std::transform(canvas.begin(), canvas.end(), pixels.begin(), [](Rgba color) {
+    const std::uint8_t alpha = toByte(color.a);
+    if (alpha == 0) return Rgba8{};
+    return Rgba8{toByte(color.r), toByte(color.g), toByte(color.b), alpha};
+  });
+  return pixels;
+}
+
+/// One frame of the shot as a file. @param bottom  what lies under all layers.
+[[nodiscard]] std::vector<std::uint8_t> composite(const LayeredShot& shot,
+                                                  const LayerInputs& layers, int number,
+                                                  const Image<Rgba>& bottom) {
+  Image<Rgba> canvas = bottom.clone();
+  for (const std::string& path : pathsOf(shot, layers, number)) {
+    layOver(readPng(path, layers.size), canvas);
+  }
+  return encodePng(pixelsOf(canvas), shot.compressionLevel);
+}
+
+/// Composites all frames; `stopping` knows how far it came.
+void compositeAll(const LayeredShot& shot, const Observer& observer, const LayerInputs& layers,
+                  Stopping& stopping) {
+  const auto stopIfWanted = [&stopping] { stopping.check(); };
+  const auto count = static_cast<int>(layers.numbers.size());
+  const Image<Rgba> bottom = bottomOf(shot, layers, stopIfWanted);
+  const RunIdentity run = identityOf(shot, layers, stopIfWanted);
+  RunLock lock(run.files);
+  lock.takeIfUsed();
+  StartingPoint start;
+  start.span = {0, count};
+  start.known = FrameRecords(layers.numbers.size());
+  requireOwnFrames(shot.continuation, run, start, stopIfWanted);
+  createFolder(run.files.folder());
+  checkFolderWritable(run.files.folder());
+  const std::string note = lock.take();
+  if (!note.empty() && observer.note) observer.note(note);
+  lock.setUnfinished(true);
+  // What it says of frames holds no longer; the hidden folder tells that they are a run's own.
+  std::error_code ignored;
+  std::filesystem::remove(run.files.manifest(), ignored);
+  RunJournal journal(run, start.span, start, {{"--out-path", shot.outPath}}, shot.continuation);
+  auto before = std::chrono::steady_clock::now();
+  for (int j = 0; j < count; ++j) {
+    stopping.check();
+    const int number = layers.numbers[at(j)];
+    const std::vector<std::uint8_t> file = composite(shot, layers, number, bottom);
+    writeAtomically(run.framePaths[at(j)], file);
+    journal.frameWritten(j, digestOf(file.data(), file.size()), nullptr);
+    stopping.setWritten(j + 1, count);
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> seconds = now - std::exchange(before, now);
+    if (!observer.frameDone) continue;
+    observer.frameDone({j, count, number, seconds.count(), run.framePaths[at(j)]});
+  }
+  journal.finish();
+  lock.setUnfinished(false);
+}
+
+}  // namespace
+
+void compositeLayers(const LayeredShot& shot, const Observer& observer) {
+  const LayerInputs layers = openLayers(shot);
+  Stopping stopping(observer, static_cast<int>(layers.numbers.size()));
+  try {
+    compositeAll(shot, observer, layers, stopping);
+  } catch (const Interrupted& stop) {
+    throw Interrupted(std::string(stop.what()) + "; --resume keeps the layers and writes all",
+                      true);
+  }
+}
+
+}  // namespace fluidymation

@@ -1,0 +1,52 @@
+#include "layers/shot_frames.h"
+
+#include <algorithm>
+#include <set>
+
+#include "fluidymation/core/error.h"
+
+namespace fluidymation {
+namespace {
+
+[[nodiscard]] std::string spanText(int first, int last) {
+  return first == last ? std::to_string(first)
+                       : std::to_string(first) + " to " + std::to_string(last);
+}
+
+/// @throws Error where `layer` lacks a frame of `other` between its own first and last.
+void requireNoGaps(const LayerFrames& layer, const LayerFrames& other) {
+  const std::set<int> own(layer.numbers.begin(), layer.numbers.end());
+  for (const int number : other.numbers) {
+    if (own.empty() || number < *own.begin() || number > *own.rbegin()) continue;
+    if (own.count(number) > 0) continue;
+    throw Error("layer " + layer.name + ": has frames " + spanText(*own.begin(), *own.rbegin()) +
+                " but no frame " + std::to_string(number) + ", which layer " + other.name +
+                " has; wanted the same steps, see --target-speed and --target-range");
+  }
+}
+
+}  // namespace
+
+std::vector<int> shotFrames(const std::vector<LayerFrames>& layers) {
+  std::set<int> numbers;
+  for (const LayerFrames& layer : layers) {
+    for (const LayerFrames& other : layers) requireNoGaps(layer, other);
+    numbers.insert(layer.numbers.begin(), layer.numbers.end());
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+std::vector<std::string> notesOnLengths(const std::vector<LayerFrames>& layers,
+                                        const std::vector<int>& shot) {
+  std::vector<std::string> notes;
+  for (const LayerFrames& layer : layers) {
+    if (layer.numbers.empty() || layer.numbers.size() == shot.size()) continue;
+    const auto [first, last] = std::minmax_element(layer.numbers.begin(), layer.numbers.end());
+    notes.push_back("layer " + layer.name + ": frames " + spanText(*first, *last) +
+                    " of the shot's " + spanText(shot.front(), shot.back()) +
+                    "; it is not seen in the others");
+  }
+  return notes;
+}
+
+}  // namespace fluidymation
