@@ -61,6 +61,21 @@ constexpr const char* kVersion = "--version";
                    (likely.empty() ? "; see --help" : "; did you mean " + likely + "?"));
 }
 
+/// Of what belongs to no option, the argument that the command takes; nothing where it takes none.
+/// @throws UsageError for all others, and where it is missing.
+[[nodiscard]] std::optional<std::string> operandAmong(const std::vector<std::string>& extras,
+                                                      const CommandSyntax& syntax) {
+  const bool takesOne = !syntax.operand.empty();
+  for (const std::string& extra : extras) {
+    const bool isOption = extra.empty() || extra[0] == '-';
+    if (!takesOne || isOption) refuseArgument(extra, syntax.table);
+  }
+  if (extras.size() > 1) refuseArgument(extras[1], syntax.table);
+  if (!extras.empty()) return extras.front();
+  if (!takesOne) return std::nullopt;
+  throw UsageError(syntax.operand + ": the file is missing (see --help)");
+}
+
 [[nodiscard]] bool isFlag(const std::string& name, const std::vector<Spec>& table) {
   if (name == kHelp || name == kShortHelp || name == kVersion) return true;
   return std::any_of(table.begin(), table.end(),
@@ -219,15 +234,7 @@ CommandLine parseCommandLine(const CommandSyntax& syntax, int argc, const char* 
   given.insert(givenHere.begin(), givenHere.end());
   // After the values: what a forgotten value pushed aside is not the user's mistake.
   const std::vector<std::string> extras = app.remaining();
-  const bool hasOperand = !syntax.operand.empty() && extras.size() == 1 &&
-                          !extras.front().empty() && extras.front()[0] != '-';
-  if (hasOperand) {
-    line.operand = extras.front();
-  } else if (!extras.empty()) {
-    refuseArgument(extras.front(), table);
-  } else if (!syntax.operand.empty()) {
-    throw UsageError(syntax.operand + ": the file is missing (see --help)");
-  }
+  line.operand = operandAmong(extras, syntax);
   if (line.manifest) {
     refuseOthers("--verify", table, app);
     return line;

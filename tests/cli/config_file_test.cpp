@@ -93,7 +93,7 @@ TEST(ConfigFile, FaultsAreNamedWithTheirLine) {
   } cases[] = {
       {"\nborder-widht = 12\n",
        "line 2: border-widht: there is no such option; did you mean border-width?"},
-      {"colour = 3", "line 1: colour: there is no such option; see --help"},
+      {"colour = 3", "line 1: colour: there is no such option; did you mean recolor?"},
       {"seed = 1\nseed = 2", "line 2: seed: is given before; wanted once"},
       {"lambda = much", "line 1: --lambda much: wanted a number in [0, 1000000]"},
       {"quiet = 1", "line 1: --quiet 1: wanted true or false"},
@@ -103,7 +103,8 @@ TEST(ConfigFile, FaultsAreNamedWithTheirLine) {
       {"resume = true", "line 1: resume: is for the command line, not for a config file"},
       {"config = a.toml", "line 1: config: is for the command line, not for a config file"},
       {"[look]\nseed = 1",
-       "line 1: [look]: there are no sections; wanted a line such as border-width = 12"},
+       "line 1: [look]: there are no sections; wanted a line such as border-width = 12 "
+       "(files with layers are for fluidymation layers)"},
       {"seed", "line 1: no option is given by seed; wanted a line such as border-width = 12"},
       {"opt-iterations = [4,\n 3]",
        "line 1: opt-iterations: the value is missing or goes on in the next line; wanted a line "

@@ -30,6 +30,36 @@ TEST(ProgressLines, JsonHasOneObjectPerFrameAndNothingElse) {
             "{\"frame\":102,\"index\":1,\"count\":2,\"seconds\":1.5,\"path\":\"out/102.png\"}\n");
 }
 
+TEST(ProgressLines, SayWhichLayerAFrameIsOf) {
+  std::ostringstream out;
+  progressLines(ProgressFormat::kJson, out, {"horse", false, 0, 3})
+      ->frameDone({0, 2, 101, 0.25, "a.png"});
+  progressLines(ProgressFormat::kJson, out, {"", true, 2, 3})->frameDone({0, 2, 1, 0.5, "b.png"});
+  EXPECT_EQ(out.str(),
+            "{\"frame\":101,\"index\":0,\"count\":2,\"seconds\":0.25,\"layer\":\"horse\","
+            "\"path\":\"a.png\"}\n"
+            "{\"frame\":1,\"index\":0,\"count\":2,\"seconds\":0.5,\"path\":\"b.png\"}\n");
+}
+
+TEST(ProgressLines, ShareThePercentageAmongLayers) {
+  std::ostringstream out;
+  const auto first = progressLines(ProgressFormat::kOpenJobDescription, out, {"a", false, 0, 3});
+  first->readingBegins();
+  first->frameDone({1, 2, 2, 0.5, "a.png"});
+  const auto last = progressLines(ProgressFormat::kOpenJobDescription, out, {"", true, 2, 3});
+  last->frameDone({0, 2, 1, 0.5, "b.png"});
+  last->frameDone({1, 2, 2, 0.5, "c.png"});
+  EXPECT_EQ(out.str(),
+            "openjd_progress: 0\n"
+            "openjd_status: layer a (1 of 2): reading the masks and the exemplar\n"
+            "openjd_progress: 33\n"
+            "openjd_status: layer a (1 of 2): frame 2 of 2 is written: a.png\n"
+            "openjd_progress: 83\n"
+            "openjd_status: composite: frame 1 of 2 is written: b.png\n"
+            "openjd_progress: 100\n"
+            "openjd_status: composite: frame 2 of 2 is written: c.png\n");
+}
+
 TEST(ProgressLines, JsonIsValidForAnyFileName) {
   std::string everyByte;
   for (int byte = 1; byte <= 255; ++byte) everyByte += static_cast<char>(byte);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <utility>
 
 namespace fluidymation::cli {
 namespace {
@@ -25,6 +26,29 @@ TEST(Progress, ATerminalGetsOneLineThatIsRewritten) {
             "\rframe 1 of 80 ...\x1b[K"
             "\rframe 1 of 80  1.00 s/frame  01:19 left\x1b[K"
             "\rframe 2 of 80  0.75 s/frame  00:59 left\x1b[K\n");
+}
+
+TEST(Progress, EveryLineOfARunAmongSeveralSaysWhichItIs) {
+  for (const auto& [style, expected] :
+       {std::pair{Progress::Style::kPlain,
+                  "layer a (1 of 2): painting 80 frames ...\n"
+                  "fluidymation: note: layer a (1 of 2): odd\n"
+                  "layer a (1 of 2): frame 1 of 80  1.00 s  out/101.png\n"
+                  "layer a (1 of 2): 1 frame in 00:01: out/101.png\n"},
+        std::pair{Progress::Style::kTerminal,
+                  "\rlayer a (1 of 2): frame 1 of 80 ...\x1b[K"
+                  "\r\x1b[Kfluidymation: note: layer a (1 of 2): odd\n"
+                  "\rlayer a (1 of 2): frame 1 of 80 ...\x1b[K"
+                  "\rlayer a (1 of 2): frame 1 of 80  1.00 s/frame  01:19 left\x1b[K"
+                  "\rlayer a (1 of 2): 1 frame in 00:01: out/101.png\x1b[K\n"}}) {
+    std::ostringstream out;
+    Progress progress(out, style, "layer a (1 of 2): ");
+    progress.paintingBegins(0, 80);
+    progress.note("odd");
+    progress.frameDone(report(0, 1.0));
+    progress.allDone();
+    EXPECT_EQ(out.str(), expected);
+  }
 }
 
 TEST(Progress, AFileGetsOnePlainLinePerFrame) {

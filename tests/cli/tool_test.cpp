@@ -177,7 +177,7 @@ TEST(Tool, EveryCommandHasHelpAndIsInTheHelpOfTheTool) {
     const Outcome own = answerTo({command.name.c_str(), "--help"});
     EXPECT_EQ(own.code, kDone);
     EXPECT_EQ(own.err, "");
-    EXPECT_NE(own.out.find("Usage: fluidymation " + command.name + " [OPTIONS]"), std::string::npos)
+    EXPECT_NE(own.out.find("Usage: fluidymation " + command.name + " "), std::string::npos)
         << own.out;
   }
 }

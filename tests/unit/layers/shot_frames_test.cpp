@@ -17,8 +17,9 @@ TEST(ShotFrames, AreThoseOfAllLayersAscending) {
 }
 
 TEST(ShotFrames, RefuseALayerThatIsMissingInBetween) {
-  const std::string fault =
-      test::messageOf<Error>([] { (void)shotFrames({{"a", {1, 2, 3, 4}}, {"b", {1, 3}}}); });
+  const std::string fault = test::messageOf<Error>([] {
+    (void)shotFrames({{"a", {1, 2, 3, 4}}, {"b", {1, 3}}});
+  });
   EXPECT_EQ(fault,
             "layer b: has frames 1 to 3 but no frame 2, which layer a has; wanted the same steps, "
             "see --target-speed and --target-range");

@@ -1,0 +1,227 @@
+// Painted frames are made up here, so that every pixel of a composited one is known.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fluidymation/core/error.h"
+#include "fluidymation/layers.h"
+#include "fluidymation/verify.h"
+#include "support/small_scene.h"
+
+namespace fluidymation {
+namespace {
+
+using test::messageOf;
+using test::SmallScene;
+
+constexpr Size kSize{28, 22};  // of the small scene's targets
+constexpr Rgba8 kRed{230, 20, 40, 255};
+constexpr Rgba8 kVeil{10, 60, 200, 128};
+
+/// A small scene with two layers of two frames each: "low" is red in its left half, "high" has a
+/// blue veil over its upper half.
+class Layers : public ::testing::Test {
+ protected:
+  static constexpr int kFrames = 2;
+
+  Layers() : scene_(kFrames) {
+    shot_.outPath = scene_.file("shot/%05d.png");
+    for (const char* name : {"low", "high"}) shot_.layers.push_back({name, optionsFor(name)});
+    for (int number = 1; number <= kFrames; ++number) {
+      paint("low", number, [](int x, int) { return x < kSize.width / 2 ? kRed : Rgba8{}; });
+      paint("high", number, [](int, int y) { return y < kSize.height / 2 ? kVeil : Rgba8{}; });
+    }
+  }
+
+  [[nodiscard]] Options optionsFor(const std::string& name) const {
+    Options options;
+    options.source.path = scene_.file("src/%05d.png");
+    options.sourceMaskPath = scene_.file("mask/%05d.png");
+    options.target.path = scene_.file("target/%05d.png");
+    options.outPath = scene_.file("shot/layers/" + name + "/%05d.png");
+    return options;
+  }
+
+  template <typename Color>
+  void paint(const std::string& layer, int number, const Color& color) const {
+    Image<Rgba8> frame(kSize);
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) frame(x, y) = color(x, y);
+    }
+    std::filesystem::create_directories(scene_.file("shot/layers/" + layer));
+    writePng(scene_.file(SmallScene::frame("shot/layers/" + layer, number)), frame);
+  }
+
+  [[nodiscard]] Rgba pixel(int x, int y, int number = 1) const {
+    return readPng(scene_.file(SmallScene::frame("shot", number)))(x, y);
+  }
+
+  /// What the shot has to be told of.
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    Observer observer;
+    observer.note = [&](const std::string& text) { notes.push_back(text); };
+    checkLayers(shot_, observer);
+    return notes;
+  }
+
+  SmallScene scene_;
+  LayeredShot shot_;
+};
+
+void expectPixel(Rgba found, Rgba8 expected) {
+  EXPECT_EQ(toByte(found.r), expected.r);
+  EXPECT_EQ(toByte(found.g), expected.g);
+  EXPECT_EQ(toByte(found.b), expected.b);
+  EXPECT_EQ(toByte(found.a), expected.a);
+}
+
+/// Of 255 levels: a veil of 128 over an opaque one.
+std::uint8_t veiled(int veil, int under) {
+  const double alpha = 128.0 / 255.0;
+  return static_cast<std::uint8_t>(std::lround(alpha * veil + (1.0 - alpha) * under));
+}
+
+TEST_F(Layers, LieOverEachOtherAndStayTransparentElsewhere) {
+  compositeLayers(shot_, {});
+  for (int number = 1; number <= kFrames; ++number) {
+    expectPixel(pixel(0, 0, number),
+                {veiled(10, 230), veiled(60, 20), veiled(200, 40), 255});  // both
+    expectPixel(pixel(0, kSize.height - 1, number), kRed);
+    expectPixel(pixel(kSize.width - 1, 0, number), kVeil);
+    expectPixel(pixel(kSize.width - 1, kSize.height - 1, number), {0, 0, 0, 0});
+  }
+}
+
+TEST_F(Layers, LieInTheirOrder) {
+  std::swap(shot_.layers[0], shot_.layers[1]);
+  compositeLayers(shot_, {});
+  expectPixel(pixel(0, 0), kRed);
+}
+
+TEST_F(Layers, LieOverAColour) {
+  shot_.background = "#80c020";
+  compositeLayers(shot_, {});
+  expectPixel(pixel(0, 0), {veiled(10, 230), veiled(60, 20), veiled(200, 40), 255});
+  expectPixel(pixel(kSize.width - 1, 0),
+              {veiled(10, 0x80), veiled(60, 0xc0), veiled(200, 0x20), 255});
+  expectPixel(pixel(kSize.width - 1, kSize.height - 1), {0x80, 0xc0, 0x20, 255});
+}
+
+TEST_F(Layers, LieOverTheBareSurfaceOfAFilm) {
+  for (const char* background : {"exemplar", "exemplar:high"}) {
+    shot_.background = background;
+    compositeLayers(shot_, {});
+    expectPixel(pixel(kSize.width - 1, kSize.height - 1), {240, 236, 225, 255});
+  }
+  shot_.background = "exemplar:middle";
+  EXPECT_EQ(messageOf<UsageError>([&] { checkLayers(shot_, {}); }),
+            "--background exemplar:middle: there is no such layer; wanted exemplar:NAME with one "
+            "of low, high");
+}
+
+TEST_F(Layers, MeetByTheirNumbersAndMayEndEarlier) {
+  shot_.layers[1].options.target.frames = 1;
+  EXPECT_EQ(notes(),
+            std::vector<std::string>{
+                "layer high: frames 1 of the shot's 1 to 2; it is not seen in the others"});
+  compositeLayers(shot_, {});
+  expectPixel(pixel(0, 0, 1), {veiled(10, 230), veiled(60, 20), veiled(200, 40), 255});
+  expectPixel(pixel(0, 0, 2), kRed);
+}
+
+TEST_F(Layers, LeaveAManifestThatKnowsTheFrames) {
+  shot_.background = "white";
+  compositeLayers(shot_, {});
+  const std::string manifest = scene_.file("shot/fluidymation.json");
+  const Verification whole = verify(manifest, [] {});
+  EXPECT_TRUE(whole.faults.empty());
+  EXPECT_EQ(whole.frames, kFrames);
+  scene_.write(SmallScene::frame("shot", 2), scene_.read(SmallScene::frame("target", 2)));
+  EXPECT_EQ(verify(manifest, [] {}).faults.size(), 1U);
+}
+
+TEST_F(Layers, ReplaceTheirOwnFramesAndNobodyElses) {
+  compositeLayers(shot_, {});
+  compositeLayers(shot_, {});
+  scene_.write(SmallScene::frame("shot", 2), scene_.read(SmallScene::frame("target", 2)));
+  EXPECT_NE(messageOf<Error>([&] { compositeLayers(shot_, {}); }).find("is there already"),
+            std::string::npos);
+  shot_.continuation.existing = ExistingFrames::kReplace;
+  compositeLayers(shot_, {});
+  expectPixel(pixel(kSize.width - 1, 0, 2), kVeil);
+}
+
+TEST_F(Layers, TakeFramesOfTheirSizeOnly) {
+  shot_.layers[1].options.target.scale = 2.0;
+  const std::string fault = messageOf<Error>([&] { checkLayers(shot_, {}); });
+  EXPECT_EQ(fault.find("layer high: --target-path "), 0U) << fault;
+  EXPECT_NE(fault.find("frames of 56x44, but those of layer low are 28x22"), std::string::npos);
+}
+
+TEST_F(Layers, AreAllCheckedBeforeAnythingIsPainted) {
+  shot_.layers[0].options.source.path = scene_.file("nowhere/%05d.png");
+  shot_.layers[1].options.target.path = scene_.file("gone/%05d.png");
+  const std::string faults = messageOf<Faults>([&] { checkLayers(shot_, {}); });
+  EXPECT_NE(faults.find("layer low: " + scene_.file("nowhere/00001.png")), std::string::npos)
+      << faults;
+  EXPECT_NE(faults.find("layer high: " + scene_.file("gone/00001.png")), std::string::npos)
+      << faults;
+}
+
+TEST_F(Layers, WriteNoFileThatIsReadOrWrittenElsewhere) {
+  const auto fault = [&] { return messageOf<UsageError>([&] { checkLayers(shot_, {}); }); };
+  const std::string outPath = shot_.outPath;
+  shot_.outPath = scene_.file("src/%05d.png");
+  EXPECT_NE(fault().find("is an input and would be overwritten"), std::string::npos);
+  shot_.outPath = shot_.layers[0].options.outPath;
+  EXPECT_NE(fault().find("is written by layer low, too"), std::string::npos);
+  shot_.outPath = outPath;
+  shot_.layers[1].options.outPath = shot_.layers[0].options.outPath;
+  EXPECT_NE(fault().find("layer high: "), std::string::npos);
+  shot_.layers[1].options.outPath = scene_.file("shot/layers/high/%05d.png");
+  EXPECT_EQ(fault(), "");
+  shot_.background = SmallScene::frame("shot", 1);
+  EXPECT_NE(fault().find("no file of that name"), std::string::npos);
+  compositeLayers({shot_.layers, shot_.outPath, "black", {}, 1}, {});
+  shot_.background = scene_.file(SmallScene::frame("shot", 1));
+  EXPECT_NE(fault().find("is the picture of --background"), std::string::npos);
+}
+
+TEST_F(Layers, StopWhereTheyAreAskedToAndGoOn) {
+  compositeLayers(shot_, {});
+  const SmallScene::Painting whole = test::filesOf(scene_.file("shot"));
+  bool stopped = true;
+  for (int patience = 0; stopped; ++patience) {
+    int asked = 0;
+    Observer observer;
+    observer.cancelled = [&] { return asked++ == patience; };
+    shot_.continuation.resume = false;
+    try {
+      compositeLayers(shot_, observer);
+      stopped = false;
+    } catch (const Interrupted& stop) {
+      EXPECT_TRUE(stop.canResume());
+    }
+    shot_.continuation.resume = true;
+    compositeLayers(shot_, {});
+    EXPECT_TRUE(test::filesOf(scene_.file("shot")) == whole) << patience;
+  }
+}
+
+TEST(InLayer, NamesTheLayerInEveryFault) {
+  EXPECT_EQ(messageOf<UsageError>([] { inLayer("a", [] { throw UsageError("x"); }); }),
+            "layer a: x");
+  EXPECT_EQ(messageOf<Error>([] { inLayer("a", [] { throw Error("x"); }); }), "layer a: x");
+  EXPECT_EQ(messageOf<Interrupted>([] { inLayer("a", [] { throw Interrupted("x"); }); }),
+            "layer a: x");
+  EXPECT_EQ(messageOf<Faults>([] { inLayer("a", [] {
+                                     throw Faults({"x", "y"});
+                                   }); }),
+            "layer a: x; layer a: y");
+}
+
+}  // namespace
+}  // namespace fluidymation
