@@ -54,7 +54,8 @@ namespace {
 
 }  // namespace
 
-std::string bashCompletion(const std::vector<cli::Spec>& options) {
+std::string bashCompletion(const std::vector<cli::Spec>& options,
+                           const std::vector<std::string>& commands) {
   std::string words;
   std::string names;
   for (const cli::Spec& option : options) {
@@ -63,7 +64,7 @@ std::string bashCompletion(const std::vector<cli::Spec>& options) {
     words += "    " + option.name + ")\n      COMPREPLY=($(compgen -W '" + joined(option.words) +
              "' -- \"$current\"))\n      return\n      ;;\n";
   }
-  return "# Completion of fluidymation's options, for bash.\n"
+  return "# Completion of fluidymation's commands and options, for bash.\n"
          "# shellcheck shell=bash disable=SC2207\n"
          "_fluidymation() {\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD-1]:-}\n"
@@ -83,22 +84,34 @@ std::string bashCompletion(const std::vector<cli::Spec>& options) {
                     "      compopt -o filenames 2>/dev/null\n"
                     "      COMPREPLY=($(compgen -d -- \"$current\"))\n") +
          bashBranch(options, ValueKind::kOther, "") +
+         "    layers)\n"
+         "      if [[ $current != -* ]]; then\n"
+         "        compopt -o filenames 2>/dev/null\n"
+         "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
+         "        return\n"
+         "      fi\n"
+         "      ;;\n"
          "  esac\n"
-         "  COMPREPLY=($(compgen -W '" +
+         "  local names='" +
          names +
-         "' -- \"$current\"))\n"
+         "'\n"
+         "  if [[ $COMP_CWORD -eq 1 ]]; then names=\"" +
+         joined(commands) +
+         " $names\"; fi\n"
+         "  COMPREPLY=($(compgen -W \"$names\" -- \"$current\"))\n"
          "}\n"
          "complete -F _fluidymation fluidymation\n";
 }
 
-std::string zshCompletion(const std::vector<cli::Spec>& options) {
-  std::string arguments;
+std::string zshCompletion(const std::vector<cli::Spec>& options,
+                          const std::vector<std::string>& commands) {
+  std::string arguments = " \\\n  '1::command:(" + joined(commands) + ")' \\\n  '2::file:_files'";
   for (const cli::Spec& option : options) {
     arguments += " \\\n  '" + option.name + (option.valueName.empty() ? "" : "=") + "[" +
                  zshText(shortHelp(option)) + "]" + zshValue(option) + "'";
   }
   return "#compdef fluidymation\n"
-         "# Completion of fluidymation's options, for zsh.\n"
+         "# Completion of fluidymation's commands and options, for zsh.\n"
          "_arguments" +
          arguments + "\n";
 }

@@ -38,6 +38,15 @@ std::string roffText(const std::string& text) {
   return result;
 }
 
+std::string manPageCommands(const std::vector<cli::Subcommand>& commands) {
+  std::string page;
+  for (const cli::Subcommand& command : commands) {
+    page += ".TP\n\\fBfluidymation " + roffText(command.name) + "\\fR\n" +
+            roffText(command.summary) + "\n";
+  }
+  return page;
+}
+
 std::string manPageOptions(const std::vector<cli::Spec>& options) {
   std::string page;
   std::string group;

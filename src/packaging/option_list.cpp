@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/subcommand.h"
+
 namespace fluidymation::packaging {
 
 std::vector<cli::Spec> allOptions() {
@@ -9,6 +11,12 @@ std::vector<cli::Spec> allOptions() {
   options.push_back({"--help", cli::kRunningGroup, "", "print this text", false, {}});
   options.push_back({"--version", cli::kRunningGroup, "", "print the version", false, {}});
   return options;
+}
+
+std::vector<std::string> allCommands() {
+  std::vector<std::string> names;
+  for (const cli::Subcommand& command : cli::subcommands()) names.push_back(command.name);
+  return names;
 }
 
 ValueKind valueKind(const cli::Spec& spec) {

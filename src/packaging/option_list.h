@@ -10,6 +10,9 @@ namespace fluidymation::packaging {
 /// The option table with --help and --version at its end, as users see it.
 [[nodiscard]] std::vector<cli::Spec> allOptions();
 
+/// The words that may come first: names of commands, in the order of the help text.
+[[nodiscard]] std::vector<std::string> allCommands();
+
 /// What a shell offers for an option's value.
 enum class ValueKind {
   kNone,    ///< a flag has no value

@@ -28,6 +28,10 @@ expect 'standard crisp calm thesis paper' --preset ''
 expect 'thesis' --preset = th
 expect 'standard crisp calm thesis paper' --preset =
 expect 'file.png' --src-path fi
+expect 'layers' la
+expect 'file.png folder' layers ''
+expect '--resume' layers --resu
+expect '' --quiet la # a command comes first
 expect 'file.png folder' --verify ''
 expect 'folder' --dump-guides ''
 expect '' --seed ''

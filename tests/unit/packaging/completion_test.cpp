@@ -12,14 +12,21 @@ namespace fluidymation::packaging {
 namespace {
 
 TEST(Completion, OffersEveryOption) {
-  const std::string bash = bashCompletion(allOptions());
-  const std::string zsh = zshCompletion(allOptions());
+  const std::string bash = bashCompletion(allOptions(), allCommands());
+  const std::string zsh = zshCompletion(allOptions(), allCommands());
   for (const cli::Spec& option : allOptions()) {
     EXPECT_NE(bash.find(option.name), std::string::npos) << option.name;
     EXPECT_NE(zsh.find("'" + option.name + (option.valueName.empty() ? "[" : "=[")),
               std::string::npos)
         << option.name;
   }
+}
+
+TEST(Completion, OffersEveryCommand) {
+  const std::string commands = "inspect layers mask preview";
+  EXPECT_NE(bashCompletion(allOptions(), allCommands()).find(commands), std::string::npos);
+  EXPECT_NE(zshCompletion(allOptions(), allCommands()).find("(" + commands + ")"),
+            std::string::npos);
 }
 
 TEST(Completion, EveryWordThatIsOfferedIsTaken) {
@@ -41,9 +48,9 @@ TEST(Completion, EveryWordThatIsOfferedIsTaken) {
 TEST(Completion, ZshTakesNoTextForAnInstruction) {
   const std::vector<cli::Spec> options = {
       {"--a", "G", "N", "it's a: [b]\nand more\n(default 1)", false, {}}};
-  EXPECT_NE(zshCompletion(options).find("'--a=[it'\\''s a\\: \\[b\\] and more]:N: '"),
+  EXPECT_NE(zshCompletion(options, {}).find("'--a=[it'\\''s a\\: \\[b\\] and more]:N: '"),
             std::string::npos)
-      << zshCompletion(options);
+      << zshCompletion(options, {});
 }
 
 }  // namespace

@@ -46,6 +46,12 @@ TEST(ManPage, PutsAGroupsOptionsBelowItsName) {
             ".TP\n\\fB\\-\\-d\\fR\nanother\n");
 }
 
+TEST(ManPage, SaysWhatEachCommandDoes) {
+  EXPECT_EQ(manPageCommands({{"a-b", "does it", nullptr}, {"c", "does more", nullptr}}),
+            ".TP\n\\fBfluidymation a\\-b\\fR\ndoes it\n"
+            ".TP\n\\fBfluidymation c\\fR\ndoes more\n");
+}
+
 TEST(ManPage, NoTextIsTakenForAnInstruction) {
   EXPECT_EQ(roffText(".flo or\\n -1"), "\\&.flo or\\en \\-1");
   EXPECT_EQ(roffText("'x'"), "\\&'x'");
