@@ -31,7 +31,6 @@ expect 'file.png' --src-path fi
 expect 'layers' la
 expect 'file.png folder' layers ''
 expect '--resume' layers --resu
-expect '' --quiet la # a command comes first
 expect 'file.png folder' --verify ''
 expect 'folder' --dump-guides ''
 expect '' --seed ''
