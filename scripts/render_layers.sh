@@ -28,10 +28,10 @@ PAPER = (244, 241, 232)
 COLORS = 256  # of the palette: a third of the bytes
 
 waving = [Image.open(f"output/waving/{number:05d}.png").convert("RGB") for number in (1, 5, 9)]
-waving = [frame.crop((90, 60, 540, 700)).resize((270, 384), Image.LANCZOS) for frame in waving]
-sheet = Image.new("RGB", ((270 + GAP) * len(waving) - GAP, 384), "white")
+waving = [frame.crop((80, 60, 640, 700)).resize((280, 320), Image.LANCZOS) for frame in waving]
+sheet = Image.new("RGB", ((280 + GAP) * len(waving) - GAP, 320), "white")
 for column, frame in enumerate(waving):
-    sheet.paste(frame, (column * (270 + GAP), 0))
+    sheet.paste(frame, (column * (280 + GAP), 0))
 sheet.quantize(COLORS).save("docs/images/layers.png", optimize=True)
 
 rows = []
@@ -40,7 +40,7 @@ for medium in ("watercolour", "ink"):
         painted = Image.open(f"output/recolor/{medium}-{color}/00004.png")
         paper = Image.new("RGB", painted.size, PAPER)
         paper.paste(painted, mask=painted.getchannel("A"))
-        rows.append(paper.crop((10, 10, 310, 270)))
+        rows.append(paper.crop((40, 30, 380, 290)))
 columns = len(sys.argv[1:])
 width, height = rows[0].size
 sheet = Image.new("RGB", (columns * width, 2 * height), PAPER)

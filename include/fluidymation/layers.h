@@ -25,6 +25,7 @@ struct LayeredShot {
   /// layer's film, "exemplar:NAME" for that of another one's. None: the frames stay transparent.
   std::optional<std::string> background;
   ContinuationOptions continuation;  ///< of the composited frames: what may be replaced
+  BitDepth bitDepth = BitDepth::k8;  ///< of the composited frames
   int compressionLevel = kDefaultCompression;
 };
 
@@ -38,7 +39,8 @@ void checkLayers(const LayeredShot& shot, const Observer& observer);
 
 /// Lays the painted frames of all layers over each other and over the background, and writes them
 /// with a manifest of their own: of sRGB-encoded values, each pixel by its straight alpha (Porter
-/// and Duff's `over`). One frame of one layer is in memory at a time.
+/// and Duff's `over`). With a background the files have no alpha; about the meaning of colours they
+/// say what the lowest layer's do. One frame of one layer is in memory at a time.
 /// @param observer  `frameDone`, `cancelled` and `note` are used.
 /// @throws Interrupted when `observer.cancelled` asked for it; Error naming the file.
 void compositeLayers(const LayeredShot& shot, const Observer& observer);

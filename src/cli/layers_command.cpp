@@ -115,6 +115,7 @@ ShotRequest shotOf(const std::string& path, const CommandLine& told) {
   LayeredShot& shot = request.shot;
   shot.background = valueOf("--background", config);
   shot.continuation = request.composite.options.continuation;
+  shot.bitDepth = request.composite.options.bitDepth;
   shot.compressionLevel = request.composite.options.compressionLevel;
   for (const LayeredConfig::Section& section : config.layers) {
     CommandLine line = lineOf(config, section, table, told);

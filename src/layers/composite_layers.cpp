@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -12,6 +16,7 @@
 #include "fluidymation/core/index.h"
 #include "fluidymation/core/version.h"
 #include "fluidymation/io/atomic_file.h"
+#include "fluidymation/io/color_chunks.h"
 #include "fluidymation/io/digest.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/layers.h"
@@ -64,31 +69,63 @@ namespace {
   fingerprint.version = version();
   fingerprint.options = {{"layers", names},
                          {"background", shot.background.value_or("none")},
+                         {"--bit-depth", shot.bitDepth == BitDepth::k16 ? "16" : "8"},
                          {"--compression-level", std::to_string(shot.compressionLevel)}};
   fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
   return {RunFiles(pattern), layers.numbers, std::move(paths), std::move(fingerprint), {}};
 }
 
-/// As files hold it.
-[[nodiscard]] Image<Rgba8> pixelsOf(const Image<Rgba>& canvas) {
-  Image<Rgba8> pixels(canvas.size());
-  std::transform(canvas.begin(), canvas.end(), pixels.begin(), [](Rgba color) {
-    const std::uint8_t alpha = toByte(color.a);
-    if (alpha == 0) return Rgba8{};
-    return Rgba8{toByte(color.r), toByte(color.g), toByte(color.b), alpha};
+[[nodiscard]] std::uint16_t to16Bits(float value) {
+  constexpr float kMost = 65535.0F;
+  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost));
+}
+
+/// As files hold it. @param rounded  a value in [0, 1] as a channel of `Pixel`.
+template <typename Pixel, typename Rounded>
+[[nodiscard]] Image<Pixel> pixelsOf(const Image<Rgba>& canvas, const Rounded& rounded) {
+  Image<Pixel> pixels(canvas.size());
+  std::transform(canvas.begin(), canvas.end(), pixels.begin(), [&rounded](Rgba color) {
+    const auto alpha = rounded(color.a);
+    if (alpha == 0) return Pixel{};
+    return Pixel{rounded(color.r), rounded(color.g), rounded(color.b), alpha};
   });
   return pixels;
 }
 
-/// One frame of the shot as a file. @param bottom  what lies under all layers.
+/// What the lowest layer's files say about the meaning of colours. Tells of layers that say other.
+[[nodiscard]] ColorChunks chunksOf(const LayeredShot& shot, const LayerInputs& layers,
+                                   const Observer& observer) {
+  std::optional<ColorChunks> lowest;
+  for (std::size_t i = 0; i < shot.layers.size(); ++i) {
+    const FramePattern frames(shot.layers[i].options.outPath);
+    ColorChunks chunks = readColorChunks(frames.path(layers.frames[i].numbers.front())).chunks;
+    if (!lowest) {
+      lowest = std::move(chunks);
+    } else if (chunks != *lowest && observer.note) {
+      observer.note("layer " + shot.layers[i].name + ": its frames (" + namesOf(chunks) +
+                    ") say other than those of layer " + shot.layers.front().name + " (" +
+                    namesOf(*lowest) +
+                    ") about the meaning of colours; the composited frames say as these do");
+    }
+  }
+  return *lowest;
+}
+
+/// One frame of the shot as a file.
+/// @param bottom   what lies under all layers.
+/// @param content  of the file.
 [[nodiscard]] std::vector<std::uint8_t> composite(const LayeredShot& shot,
                                                   const LayerInputs& layers, int number,
-                                                  const Image<Rgba>& bottom) {
+                                                  const Image<Rgba>& bottom,
+                                                  const PngContent& content) {
   Image<Rgba> canvas = bottom.clone();
   for (const std::string& path : pathsOf(shot, layers, number)) {
     layOver(readPng(path, layers.size), canvas);
   }
-  return encodePng(pixelsOf(canvas), shot.compressionLevel);
+  if (shot.bitDepth == BitDepth::k16) {
+    return encodePng(pixelsOf<Rgba16>(canvas, to16Bits), shot.compressionLevel, content);
+  }
+  return encodePng(pixelsOf<Rgba8>(canvas, toByte), shot.compressionLevel, content);
 }
 
 /// Composites all frames; `stopping` knows how far it came.
@@ -97,6 +134,7 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
   const auto stopIfWanted = [&stopping] { stopping.check(); };
   const auto count = static_cast<int>(layers.numbers.size());
   const Image<Rgba> bottom = bottomOf(shot, layers, stopIfWanted);
+  const PngContent content{shot.background.has_value(), chunksOf(shot, layers, observer)};
   const RunIdentity run = identityOf(shot, layers, stopIfWanted);
   RunLock lock(run.files);
   lock.takeIfUsed();
@@ -117,7 +155,7 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
   for (int j = 0; j < count; ++j) {
     stopping.check();
     const int number = layers.numbers[at(j)];
-    const std::vector<std::uint8_t> file = composite(shot, layers, number, bottom);
+    const std::vector<std::uint8_t> file = composite(shot, layers, number, bottom, content);
     writeAtomically(run.framePaths[at(j)], file);
     journal.frameWritten(j, digestOf(file.data(), file.size()), nullptr);
     stopping.setWritten(j + 1, count);

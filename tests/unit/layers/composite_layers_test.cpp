@@ -1,6 +1,7 @@
 // Painted frames are made up here, so that every pixel of a composited one is known.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -110,6 +111,33 @@ TEST_F(Layers, LieOverAColour) {
   expectPixel(pixel(kSize.width - 1, kSize.height - 1), {0x80, 0xc0, 0x20, 255});
 }
 
+TEST_F(Layers, RoundOnceWhereChannelsHave16Bits) {
+  shot_.bitDepth = BitDepth::k16;
+  compositeLayers(shot_, {});
+  constexpr float kHalfStep = 0.5F / 65535.0F;
+  const float veil = 128.0F / 255.0F;
+  EXPECT_NEAR(pixel(0, 0).r, veil * (10.0F / 255.0F) + (1.0F - veil) * (230.0F / 255.0F),
+              1.1F * kHalfStep);
+  EXPECT_NEAR(pixel(kSize.width - 1, 0).a, veil, 1e-6F);
+}
+
+TEST_F(Layers, SayOfColoursWhatTheLowestDoes) {
+  const std::string frame = scene_.file(SmallScene::frame("shot/layers/low", 1));
+  Image<Rgba8> red(kSize, kRed);
+  PngContent content;
+  content.color.srgbIntent = 1;
+  test::writeBytes(frame, encodePng(red, 1, content));
+  std::vector<std::string> notes;
+  Observer observer;
+  observer.note = [&](const std::string& text) { notes.push_back(text); };
+  compositeLayers(shot_, observer);
+  EXPECT_EQ(readColorChunks(scene_.file(SmallScene::frame("shot", 1))).chunks.srgbIntent, 1);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes.front().find("layer high: its frames (none) say other than those of layer low"),
+            0U)
+      << notes.front();
+}
+
 TEST_F(Layers, LieOverTheBareSurfaceOfAFilm) {
   for (const char* background : {"exemplar", "exemplar:high"}) {
     shot_.background = background;
@@ -185,7 +213,9 @@ TEST_F(Layers, WriteNoFileThatIsReadOrWrittenElsewhere) {
   EXPECT_EQ(fault(), "");
   shot_.background = SmallScene::frame("shot", 1);
   EXPECT_NE(fault().find("no file of that name"), std::string::npos);
-  compositeLayers({shot_.layers, shot_.outPath, "black", {}, 1}, {});
+  LayeredShot black = shot_;
+  black.background = "black";
+  compositeLayers(black, {});
   shot_.background = scene_.file(SmallScene::frame("shot", 1));
   EXPECT_NE(fault().find("is the picture of --background"), std::string::npos);
 }
