@@ -45,7 +45,7 @@ TEST(StraightPixels, SixteenBitsAreMoreThanEightOfThem) {
 TEST(StraightPixels, ColorsGoOnPastThePaintAndEndThere) {
   Image<Lab> picture(kSize);
   for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) picture(x, y) = toLab({0.8F, 0.4F, 0.2F});
+    for (int x = 0; x < kSize.width; ++x) picture(x, y) = toLab(Rgb{0.8F, 0.4F, 0.2F});
   }
   const Image<Rgba8> output = straightPixels8(picture, test::halfCovered(kSize), SrgbByteEncoder());
   const Image<Rgba16> exact = straightPixels16(picture, test::halfCovered(kSize));
