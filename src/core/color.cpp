@@ -125,7 +125,8 @@ Rgb toRgb(Lab color) {
 }
 
 bool isInGamut(Lab color) {
-  constexpr float kRounding = 1e-4F;  // of linear light; a third of a byte's step where it is finest
+  constexpr float kRounding =
+      1e-4F;  // of linear light; a third of a byte's step where it is finest
   const Rgb linear = linearRgb(color);
   const auto fits = [](float c) { return c >= -kRounding && c <= 1.0F + kRounding; };
   return fits(linear.r) && fits(linear.g) && fits(linear.b);

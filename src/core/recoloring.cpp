@@ -23,8 +23,8 @@ Recoloring::Recoloring(Lab surface, Lab medium, Lab wanted)
 
 Lab Recoloring::operator()(Lab color) const {
   const Chroma chroma = Chroma(color.a, color.b) - surface_;
-  const float along = axis_.l * (color.l - surfaceLightness_) + axis_.a * chroma.real() +
-                      axis_.b * chroma.imag();
+  const float along =
+      axis_.l * (color.l - surfaceLightness_) + axis_.a * chroma.real() + axis_.b * chroma.imag();
   const float amount = std::max(0.0F, along);
   const Chroma offLine = chroma - amount * medium_;
   const Chroma turning = 1.0F + std::min(amount, 1.0F) * (turning_ - 1.0F);
