@@ -12,6 +12,7 @@ Each pair therefore has a ratio of its own, and A and B take turns in going firs
 
 import argparse
 import pathlib
+import shutil
 import sys
 import tempfile
 
@@ -80,14 +81,15 @@ def main():
         out = {name: pathlib.Path(temporary) / name for name in programs}
 
         def run(name, frames):
+            shutil.rmtree(out[name], ignore_errors=True)
             return benchmark_runs.timed(benchmark_runs.command(
                 programs[name], source / "rgb", source / "mask", SAMPLES / "target-mask" / target,
                 out[name], frames, "--src-frames", exemplar_frames, "--threads", given.threads))
 
         for pair in range(given.pairs):
             order = sorted(programs, reverse=pair % 2 == 1)
-            many = {name: run(name, given.frames) for name in order}
             few = {name: run(name, given.few) for name in order}
+            many = {name: run(name, given.frames) for name in order}
             for name in programs:
                 costs[name].append(
                     frame_cost(name, many[name], few[name], given.frames - given.few))

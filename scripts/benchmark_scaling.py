@@ -14,6 +14,7 @@ a run of few, divided by the frames between them.
 import argparse
 import os
 import pathlib
+import shutil
 import tempfile
 from typing import NamedTuple
 
@@ -151,12 +152,15 @@ def measured(program, setting, frames, repetitions):
         write_target(setting, folder, many)
 
         def run(count):
+            shutil.rmtree(folder / "out", ignore_errors=True)
             return benchmark_runs.timed(benchmark_runs.command(
                 program, folder / "rgb", folder / "mask", folder / "target", folder / "out", count,
                 "--src-frames", setting.exemplar_frames, "--threads", setting.threads))
 
-        costs = [benchmark_runs.per_frame(run(many), run(few), many - few)
-                 for _ in range(repetitions)]
+        costs = []
+        for _ in range(repetitions):
+            cost_of_few = run(few)
+            costs.append(benchmark_runs.per_frame(run(many), cost_of_few, many - few))
         return costs, benchmark_runs.mask_pixels(folder / "out", few + 1, many)
 
 
