@@ -18,8 +18,9 @@ std::vector<Vec2> oneFrameEarlier(const MovingFrame& later, const std::vector<Ve
 
 }  // namespace
 
-BackwardMotion::BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store)
-    : store_(store), frameCount_(frameCount), firstOfBlocks_(at(blockCount())) {
+BackwardMotion::BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store,
+                               bool keeps)
+    : store_(store), frameCount_(frameCount), keeps_(keeps), firstOfBlocks_(at(blockCount())) {
   MovingFrame later = frameOf(frameCount - 1);
   std::vector<Vec2> motion(later.flow.size());
   for (int i = frameCount - 1; i > 0; --i) {
@@ -41,6 +42,12 @@ std::vector<Vec2> BackwardMotion::next(const FrameOf& frameOf) {
   return motion;
 }
 
+void BackwardMotion::rewind() {
+  assert(keeps_);
+  nextFrame_ = 0;
+  waiting_.clear();
+}
+
 void BackwardMotion::provideBlock(int block, const FrameOf& frameOf) {
   const bool isLast = block + 1 == blockCount();
   const int known = isLast ? frameCount_ - 1 : (block + 1) * kStoredEvery;
@@ -52,7 +59,7 @@ void BackwardMotion::provideBlock(int block, const FrameOf& frameOf) {
   } else {
     const RecordStore::Record first = firstOfBlocks_[at(block + 1)];
     motion = store_.get<Vec2>(first);
-    store_.drop(first);
+    if (!keeps_) store_.drop(first);
   }
   for (int i = known - 1; i >= block * kStoredEvery; --i) {
     MovingFrame frame = frameOf(i);

@@ -28,6 +28,7 @@ int flowMarginPx() { return 1 + gaussianReach(kStaircaseSigmaPx); }
 GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const GuideOptions& options,
                          const FlowReader& readFlow, const GuideStreamSetting& setting)
     : shapeBlurRadiusPx_(options.shapeBlurRadiusPx),
+      keeps_(setting.keeps),
       store_(setting.storage),
       shapes_(frameCount, readMask, options.mask, store_),
       flows_(at(frameCount)) {
@@ -38,7 +39,7 @@ GuideStream::GuideStream(int frameCount, const MaskReader& readMask, const Guide
   } else {
     deriveFlow(options, setting.beforeFlow);
   }
-  backward_.emplace(frameCount, movingFrames(), store_);
+  backward_.emplace(frameCount, movingFrames(), store_, keeps_);
 }
 
 std::vector<Vec2> GuideStream::flow(int frame) const {
@@ -170,9 +171,10 @@ GuideFrame GuideStream::next() {
     last_.accForward = accumulateForward(last_.mask, last_.accForward, mask, flow);
   }
   guides.accForward = scatter(mask, last_.accForward);
-  // Given away, and not asked for again
-  shapes_.drop(nextFrame_);
-  if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
+  if (!keeps_) {  // given away, and not asked for again
+    shapes_.drop(nextFrame_);
+    if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
+  }
 
   const SolveReport& diffusion = flows_[at(nextFrame_)].diffusion;
   Image<Vec2> previous;
@@ -190,6 +192,14 @@ GuideFrame GuideStream::next() {
   last_.mask = mask;
   ++nextFrame_;
   return guides;
+}
+
+void GuideStream::rewind() {
+  assert(keeps_);
+  nextFrame_ = 0;
+  backward_->rewind();
+  held_ = {};
+  last_ = {};
 }
 
 }  // namespace fluidymation

@@ -28,13 +28,17 @@ class BackwardMotion {
 
   /// @param frameOf  asked for every frame, from the last to the first.
   /// @param store  must outlive this.
+  /// @param keeps  whether what is stored stays there, for `rewind`.
   /// @throws Error when the store cannot be written; whatever `frameOf` throws.
-  BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store);
+  BackwardMotion(int frameCount, const FrameOf& frameOf, RecordStore& store, bool keeps = false);
 
   /// acc- of the pixels of the next frame.
   /// @param frameOf  asked for up to `kStoredEvery` + 1 frames from the next one on.
   /// @throws Error when the store cannot be read; whatever `frameOf` throws.
   [[nodiscard]] std::vector<Vec2> next(const FrameOf& frameOf);
+
+  /// Begins anew with the first frame; only where what is stored is kept.
+  void rewind();
 
  private:
   [[nodiscard]] int blockCount() const;
@@ -43,6 +47,7 @@ class BackwardMotion {
 
   RecordStore& store_;
   int frameCount_;
+  bool keeps_;
   std::vector<RecordStore::Record> firstOfBlocks_;  ///< of all blocks but the first
   int nextFrame_ = 0;
   std::deque<std::vector<Vec2>> waiting_;  ///< of the rest of the block at work, from the next on

@@ -28,6 +28,8 @@ struct GuideStreamSetting {
   std::function<void(std::size_t mostPixels)> masksRead;
   /// Called before the flow of each frame is derived; may throw to end there.
   std::function<void()> beforeFlow;
+  /// Whether frames are kept in the store after their turn, for `GuideStream::rewind`.
+  bool keeps = false;
 };
 
 /// Turns a sequence of masks into guides, one frame at a time and in order (thesis figure 4.3).
@@ -59,9 +61,17 @@ class GuideStream {
   /// first `next()`. @throws Error when the store cannot be read.
   [[nodiscard]] bool drawsLines() const;
 
-  /// Guides of the next frame; must not be called more than `frameCount()` times.
+  /// Whether a frame's mask has no material after smoothing.
+  [[nodiscard]] bool isEmpty(int frame) const { return shapes_.pixelCount(frame) == 0; }
+
+  /// Guides of the next frame; must not be called more than `frameCount()` times, after a `rewind`
+  /// as often again.
   /// @throws Error when the store cannot be read.
   [[nodiscard]] GuideFrame next();
+
+  /// Begins anew with the first frame: the same guides once more. Only with
+  /// `GuideStreamSetting::keeps`.
+  void rewind();
 
  private:
   struct StoredFlow {
@@ -107,6 +117,7 @@ class GuideStream {
   };
 
   std::optional<float> shapeBlurRadiusPx_;
+  bool keeps_;
   RecordStore store_;
   StoredShapes shapes_;
   std::vector<StoredFlow> flows_;

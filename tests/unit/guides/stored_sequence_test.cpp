@@ -62,10 +62,18 @@ TEST_P(StoredSequence, HasTheSameGuidesInMemoryAndOnTheDisk) {
   GuideStream inMemory(tested.frames, readMask, options);
   GuideStream onDisk(tested.frames, readMask, options, {}, {{0, folder.path()}, {}, {}});
   GuideStream onBoth(tested.frames, readMask, options, {}, {{20'000, folder.path()}, {}, {}});
+  GuideStreamSetting keeping{{20'000, folder.path()}, {}, {}};
+  keeping.keeps = true;
+  GuideStream kept(tested.frames, readMask, options, {}, keeping);
+  for (const int turned : {1, tested.frames / 2, tested.frames}) {  // back to the first one there
+    for (int i = 0; i < turned; ++i) (void)kept.next();
+    kept.rewind();
+  }
   for (int i = 0; i < tested.frames; ++i) {
     const GuideFrame expected = inMemory.next();
     EXPECT_TRUE(sameGuides(expected, onDisk.next())) << "frame " << i;
     EXPECT_TRUE(sameGuides(expected, onBoth.next())) << "frame " << i;
+    EXPECT_TRUE(sameGuides(expected, kept.next())) << "frame " << i;
   }
 }
 
