@@ -30,6 +30,9 @@ namespace ranges {
 
 inline constexpr Range kFrameNumbers{-1e9, 1e9};
 inline constexpr Range kFrameCounts{1, kMaxFrames};
+/// Frames of the film that are held at a time: 0 for all; of a single one nothing can move.
+inline constexpr Range kWindowFrameCounts{0, kMaxFrames};
+inline constexpr int kLeastWindowFrames = 2;
 inline constexpr Range kSpeeds{-1e6, 1e6};  ///< and not 0
 inline constexpr Range kScales{0, 16, true};
 inline constexpr Range kSigmasPx{0, 1000};

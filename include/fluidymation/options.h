@@ -226,6 +226,8 @@ enum class BorderWidthRule {
 struct Options {
   SequenceOptions source;
   std::string sourceMaskPath;  ///< numbered and scaled as `source`
+  /// Frames of `source` that are held at a time, P§5; not 1; 0, or more than there are: all.
+  int sourceWindowFrames = 0;
   SequenceOptions target;
   std::string outPath;  ///< printf pattern; numbered as `target`
 

@@ -12,7 +12,7 @@ namespace fluidymation {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMark = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n'};
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 constexpr std::size_t kDigestBytes = std::tuple_size_v<decltype(Digest::bytes)>;
 
 // What is known of a pixel, one byte each.
@@ -53,7 +53,8 @@ void write(const Match& match, ByteWriter& bytes) {
                                            ByteWriter::bitsOf(match.rotation.sine)});
 }
 
-[[nodiscard]] Match readMatch(const CheckpointLimits& limits, ByteReader& bytes) {
+/// @param filmBegin  the first frame of the film that was held.
+[[nodiscard]] Match readMatch(const CheckpointLimits& limits, int filmBegin, ByteReader& bytes) {
   constexpr float kMarginPx = 8.0F;  // matches that were only enlarged may lie just outside
   constexpr float kTurnTolerance = 0.01F;
   const auto place = [&](int side) {
@@ -62,7 +63,7 @@ void write(const Match& match, ByteWriter& bytes) {
   Match match;
   match.x = place(limits.exemplar.width);
   match.y = place(limits.exemplar.height);
-  match.frame = bytes.number(0, limits.exemplarFrames - 1, "the frame of a match");
+  match.frame = bytes.number(filmBegin, filmBegin + limits.heldFrames - 1, "the frame of a match");
   match.rotation.cosine = bytes.number(-2.0F, 2.0F, "the rotation of a match");
   match.rotation.sine = bytes.number(-2.0F, 2.0F, "the rotation of a match");
   const Rotation& r = match.rotation;
@@ -74,7 +75,7 @@ void write(const Match& match, ByteWriter& bytes) {
 
 void write(const SynthesisState& state, ByteWriter& bytes) {
   for (const int number : {state.frame, state.size.width, state.size.height, state.box.beginX,
-                           state.box.beginY, state.box.endX, state.box.endY}) {
+                           state.box.beginY, state.box.endX, state.box.endY, state.filmBegin}) {
     bytes.number(number);
   }
   for (std::size_t i = 0; i < state.nnf.pixelCount(); ++i) {
@@ -107,6 +108,8 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
   state.size.height = bytes.number(1, limits.target.height, "the size");
   if (state.size != limits.target) throw Error("it is damaged: it is of another size");
   state.box = readBox(state.size, bytes);
+  state.filmBegin =
+      bytes.number(0, limits.exemplarFrames - limits.heldFrames, "the first frame held");
   const auto pixels = static_cast<std::size_t>(state.box.size().width) *
                       static_cast<std::size_t>(state.box.size().height);
   if (pixels > bytes.left()) throw Error("it is damaged: it ends too early");
@@ -115,7 +118,8 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
   state.nnf = NearestNeighborField(state.box.size());
   state.owed = Image<float>(state.box.size());
   for (std::size_t i = 0; i < pixels; ++i) {
-    if ((known[i] & kHasMatch) != 0) state.nnf.data()[i] = readMatch(limits, bytes);
+    if ((known[i] & kHasMatch) != 0)
+      state.nnf.data()[i] = readMatch(limits, state.filmBegin, bytes);
   }
   for (std::size_t i = 0; i < pixels; ++i) {
     if ((known[i] & kOwes) == 0) continue;

@@ -37,7 +37,8 @@ struct Checkpoint {
 /// What a checkpoint of this run may hold at most: what is read is not trusted.
 struct CheckpointLimits {
   Size exemplar;
-  int exemplarFrames = 0;
+  int exemplarFrames = 0;  ///< of the whole film
+  int heldFrames = 0;      ///< of these, as many as are held at a time; [1, exemplarFrames]
   Size target;
   int targetFrames = 0;
 };

@@ -69,6 +69,11 @@ void addSequences(Table& table) {
   table.real("--src-scale", kSequences, "scaling of the exemplar and its masks", "",
              ranges::kScales, "thesis §4.5",
              [](CommandLine& c) -> double& { return source(c).scale; });
+  table.integer("--src-window", kSequences,
+                "frames of the exemplar in memory at a time, moving on in it\nwith the animation; "
+                "for films that do not fit; 0 is all",
+                "frames", ranges::kWindowFrameCounts, "paper §5",
+                [](CommandLine& c) -> int& { return c.options.sourceWindowFrames; });
   addRange(table, "--target-range", "the same for the animation", target);
   table.integer("--target-start", kSequences, "number of the animation's first frame", "",
                 ranges::kFrameNumbers, "thesis §4.5",

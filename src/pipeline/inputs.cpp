@@ -9,6 +9,7 @@
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
 #include "pipeline/backdrop.h"
+#include "pipeline/film_window.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/memory_limit.h"
 
@@ -133,6 +134,8 @@ RunSize sizeOfRun(const Options& options, const Inputs& inputs) {
   RunSize run;
   run.exemplar = inputs.color.scaled;
   run.exemplarFrames = inputs.color.files.count();
+  run.heldFrames =
+      FilmWindow(options, inputs.color.files.count(), inputs.target.files.count()).heldFrames();
   run.target = inputs.target.scaled;
   run.targetFrames = inputs.target.files.count();
   run.threads = options.threads;

@@ -154,6 +154,11 @@ double ruleBytes(const ShapeRules& rules) {
          (rules.hardSegments ? 0.0 : kAllPixelsBytes);
 }
 
+/// Frames of the film that are held at a time.
+int heldFrames(const RunSize& run) {
+  return run.heldFrames == 0 ? run.exemplarFrames : std::min(run.heldFrames, run.exemplarFrames);
+}
+
 /// The texels of the exemplar on all levels, with their margins.
 double texelBytes(const RunSize& run) {
   constexpr int kMarginsPx = 2 * ExemplarLevel::kMarginPx;
@@ -163,7 +168,7 @@ double texelBytes(const RunSize& run) {
     texels += pixels({size.width + kMarginsPx, size.height + kMarginsPx});
     size = halvedSize(size);
   }
-  return texels * run.exemplarFrames * sizeof(Texel);
+  return texels * heldFrames(run) * sizeof(Texel);
 }
 
 /// While a frame is decoded: what it takes beyond the size that it is scaled to.
@@ -186,7 +191,7 @@ double occurrenceBytes(const RunSize& run) {
   const int workers =
       std::min(run.threads, tileCount(finestDraws ? run.target : halvedSize(run.target)));
   const double ofChanges =
-      kMapBytes / UseChanges::framesPerGroup(run.exemplarFrames, run.occRadiusFrames);
+      kMapBytes / UseChanges::framesPerGroup(heldFrames(run), run.occRadiusFrames);
   const auto levelsFrom = [](bool finest) {
     return finest ? kPyramidFactor : kPyramidFactor / 4.0;
   };
@@ -212,7 +217,8 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const double flow =
       std::max({decodingBytes(run, {}), flowBytes(film, run), flowBytes(target, run)});
 
-  const double exemplarVolume = pixels(run.exemplar) * run.exemplarFrames;
+  const bool moves = heldFrames(run) < run.exemplarFrames;  // through the film
+  const double exemplarVolume = pixels(run.exemplar) * heldFrames(run);
   const double exemplar =
       texelBytes(run) + exemplarVolume * (kPyramidFactor * (kLevelBytes + ruleBytes(run.shape)) +
                                           kAccumulatedBytes + kCandidateGrowthBytes);
@@ -221,20 +227,22 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const auto guiding = [ownBytes](const GuidedSequence& sequence) {
     return pixels(sequence.size) * (kGuideBytes + ownBytes) + sequence.maskPixels * kSolverBytes;
   };
+  const double filmFrame = std::max(
+      pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar), guiding(film));
   const double reading =
-      exemplar + exemplarVolume * kPyramidFactor * kExtentBytes +
-      std::max(pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar),
-               guiding(film));
+      exemplar + (moves ? 0.0 : exemplarVolume * kPyramidFactor * kExtentBytes) + filmFrame;
   const double searching = pixels(run.target) * (kPaintingBytes + ownBytes);
   const double pixelBytes = run.bitDepth == BitDepth::k8 ? sizeof(Rgba8) : sizeof(Rgba16);
   const double writing = pixels(run.target) * (kWritingBytes + kFilesPerWriting * pixelBytes +
                                                (run.hasBackground ? 0.0 : kMarginBytes) +
                                                (run.dumps ? kDumpingBytes : 0.0));
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
+  // A frame that the film moves on to is read where else one is searched
+  const double atWork = moves ? std::max(searching, filmFrame) : searching;
   const double painting = exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
                           pixels(run.target) * (kWrittenBytes + kFilesWritten * pixelBytes) +
-                          (sideBySide ? guiding(target) + searching + writing
-                                      : std::max({guiding(target), searching, writing}));
+                          (sideBySide ? guiding(target) + atWork + writing
+                                      : std::max({guiding(target), atWork, writing}));
 
   const double background = run.hasBackground ? pixels(run.target) * sizeof(Rgb) : 0.0;
   // Made before any mask is read; scaled or cut from a surface that is of no use any more

@@ -15,9 +15,9 @@ inline constexpr std::int64_t kWaitingBytes = std::int64_t{16} << 20;
 /// What decides about the memory of a run. Rules that are left out are those of a run that is given
 /// none.
 struct RunSize {
-  Size exemplar;  ///< as scaled
-  int exemplarFrames = 0;
-  Size target;  ///< as scaled
+  Size exemplar;           ///< as scaled
+  int exemplarFrames = 0;  ///< of the whole film
+  Size target;             ///< as scaled
   int targetFrames = 0;
   int threads = 1;
   float timeBlurSigmaFrames = 0.0F;
@@ -38,6 +38,7 @@ struct RunSize {
   /// bytes are those that are needed in any case.
   std::int64_t exemplarMaskPixels = 0;
   std::int64_t targetMaskPixels = 0;
+  int heldFrames = 0;  ///< of the film, at a time (`FilmWindow`); 0: all
 };
 
 /// Bytes a run needs at most: the exemplar with its levels, the search's maps, one frame at work

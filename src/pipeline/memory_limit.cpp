@@ -21,7 +21,7 @@ void requireMemory(const Options& options, const RunSize& run) {
                    ", need about " + memoryText(bytes) + " of memory; wanted at most " +
                    memoryText(limit) +
                    (options.maxMemoryBytes ? " (--max-memory" : " (what this machine has") +
-                   "); lower --src-frames, --src-scale, --target-scale or --threads");
+                   "); lower --src-frames, --src-window, --src-scale, --target-scale or --threads");
 }
 
 std::string memoryNote(const Options& options, const RunSize& run) {

@@ -133,6 +133,12 @@ void checkOutputPattern(const std::string& option, const std::string& pattern) {
 void validate(const Options& options) {
   check("--src", options.source);
   checkPattern("--src-mask-path", options.sourceMaskPath);
+  check("--src-window", options.sourceWindowFrames, ranges::kWindowFrameCounts);
+  if (options.sourceWindowFrames != 0 && options.sourceWindowFrames < ranges::kLeastWindowFrames) {
+    throw UsageError("--src-window " + std::to_string(options.sourceWindowFrames) +
+                     ": nothing can move in it; wanted 0 for all frames, or at least " +
+                     std::to_string(ranges::kLeastWindowFrames));
+  }
   check("--target", options.target);
   checkOutputPattern("--out-path", options.outPath);
   checkFlow("--src", options.sourceFlowPath, options.source);

@@ -166,6 +166,7 @@ OptionTexts shapingOptions(const Options& options) {
     texts.emplace_back("--background", *options.background);
   }
   addSequence("--src", options.source, texts);
+  texts.emplace_back("--src-window", std::to_string(options.sourceWindowFrames));
   addSequence("--target", options.target, texts);
   if (options.sourceFlowPath || options.targetFlowPath) {
     texts.emplace_back("--flow-convention", word(options.flowConvention));

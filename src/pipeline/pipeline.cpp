@@ -17,11 +17,11 @@
 #include "fluidymation/guides/guide_stream.h"
 #include "fluidymation/guides/material_age.h"
 #include "fluidymation/option_ranges.h"
-#include "fluidymation/synthesis/exemplar.h"
-#include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
 #include "pipeline/existing_frames.h"
+#include "pipeline/film.h"
+#include "pipeline/film_window.h"
 #include "pipeline/flow_note.h"
 #include "pipeline/frame_form.h"
 #include "pipeline/frame_line.h"
@@ -51,22 +51,6 @@ void tell(const Observer& observer, const std::string& note) {
   if (!note.empty() && observer.note) observer.note(note);
 }
 
-void tellOfFlow(const Observer& observer, const std::string& option, int frameNumber,
-                const GuideFrame& frame) {
-  const std::optional<std::string> note = flowNote(option, frameNumber, frame.diffusion);
-  if (note && observer.note) observer.note(*note);
-}
-
-/// @throws Error when no mask of the exemplar holds any material.
-void requireMaterial(const Options& options, const GuideStream& guides) {
-  if (guides.anyInside()) return;
-  throw Error(
-      "--src-mask-path " + options.sourceMaskPath + ": all " + std::to_string(guides.frameCount()) +
-      " masks are empty after smoothing with --blur-sigma " + numberText(*options.blurSigmaPx) +
-      ", given, found or set by --preset; wanted some material, so check the masks or "
-      "lower --blur-sigma");
-}
-
 /// Says so when nothing of the target is going to be painted.
 void tellOfEmptyTarget(const Observer& observer, const Options& options,
                        const GuideStream& guides) {
@@ -93,39 +77,6 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
         "(--new-material plain turns it off)");
   }
   return true;
-}
-
-/// The exemplar with its colours, which are all that is read of it after masks and flow.
-/// @throws Interrupted, Error.
-Exemplar readPictures(const Options& options, const Inputs& inputs, const Stopping& stopping) {
-  const Size size = inputs.color.scaled;
-  Exemplar exemplar(size, inputs.color.files.count(), coarsestLevel(size, inputs.target.scaled),
-                    *options.borderWidthPx, options.synthesis.shape);
-  for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopping.check();
-    exemplar.setColor(k, toLab(readPicture(inputs.color, k)));
-  }
-  return exemplar;
-}
-
-/// Completes the exemplar by its guides, and dumps them where that is wanted.
-/// @param withAges  whether they hold ages.
-/// @throws Interrupted, Error.
-void addGuides(const Options& options, const Inputs& inputs, bool withAges, GuideStream& guides,
-               const Stopping& stopping, const Observer& observer, Exemplar& exemplar) {
-  FilmAges ages;
-  for (int k = 0; k < exemplar.frameCount(); ++k) {
-    stopping.check();
-    GuideFrame frame = guides.next();
-    if (withAges) frame.age = ages.next(frame.mask);
-    const int number = inputs.color.files.numbers[static_cast<std::size_t>(k)];
-    tellOfFlow(observer, "--src-mask-path " + options.sourceMaskPath, number, frame);
-    exemplar.setGuides(k, frame);
-    if (options.dumpGuidesDirectory) {
-      dumpGuides(dumpFolder(options, "source"), number, frame);
-    }
-  }
-  exemplar.finish(options.synthesis.extentUnit);
 }
 
 /// Makes the guides of the target's frames, with their ages where they are compared.
@@ -193,6 +144,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
 
   FrameForm form = formOf(options, inputs, observer, stopIfWanted);
   RunSize size = sizeOfRun(options, inputs);
+  const FilmWindow window(options, inputs.color.files.count(), frameCount);
   const auto settingFor = [&](std::int64_t& maskPixels) {
     GuideStreamSetting setting;
     setting.storage = {kWaitingBytes, run.files.folder()};
@@ -203,6 +155,8 @@ void paintInOrder(const Options& given, const Observer& observer) {
     setting.beforeFlow = stopIfWanted;
     return setting;
   };
+  GuideStreamSetting sourceSetting = settingFor(size.exemplarMaskPixels);
+  sourceSetting.keeps = !window.isWhole();
   GuideStream sourceGuides(
       inputs.sourceMask.files.count(),
       [&](int frame) {
@@ -210,8 +164,8 @@ void paintInOrder(const Options& given, const Observer& observer) {
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopIfWanted), settingFor(size.exemplarMaskPixels));
-  requireMaterial(options, sourceGuides);
+      flowReader(inputs.sourceFlow, stopIfWanted), sourceSetting);
+  requireMaterial(options, window, sourceGuides);
   GuideStream guides(
       frameCount,
       [&](int frame) {
@@ -223,12 +177,14 @@ void paintInOrder(const Options& given, const Observer& observer) {
   tell(observer, memoryNote(options, size));
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);
-  Exemplar exemplar = readPictures(options, inputs, stopping);
+  Film film(options, inputs, window,
+            start.state ? start.state->filmBegin : window.beginFor(start.span.begin), stopping);
+  film.readPictures();
   createOutputFolders(options, outPaths);
   tell(observer, lock.take());
-  addGuides(options, inputs, withAges, sourceGuides, stopping, observer, exemplar);
+  film.readGuides(sourceGuides, withAges, observer);
   StopAtStages stops(stopping);
-  Synthesizer synthesizer(exemplar, options.synthesis, &stops);
+  Synthesizer synthesizer(film.exemplar(), options.synthesis, &stops);
   FrameWriter writer(std::move(form));
   RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
   journal.discardOldStates();
@@ -241,6 +197,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
                        dumps);
   std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
   stages.paint = [&](int j, GuideFrame frame) {
+    film.advanceTo(window.beginFor(j));
     notes.push_back(
         flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion)
             .value_or(""));
@@ -256,7 +213,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
       const std::string folder = dumpFolder(options, "target");
       dumpGuides(folder, numbers[at(j)], painted.guides);
       dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
-                               exemplar.level(0).size());
+                               inputs.color.scaled);
     }
     journal.frameWritten(j, digest, painted.state);
   };

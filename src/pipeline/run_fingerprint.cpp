@@ -28,6 +28,7 @@ Fingerprint fingerprintOf(const Options& options, const Inputs& inputs,
                           const std::function<void()>& beforeEach) {
   Options found = options;
   found.source.frames = inputs.color.files.count();  // not how many were asked for at most
+  if (found.sourceWindowFrames >= found.source.frames) found.sourceWindowFrames = 0;
   found.target.frames = inputs.target.files.count();
   if (found.reverse == Reverse::kOn) found.target = backwards(found.target);  // as it was given
   Fingerprint fingerprint;

@@ -10,6 +10,7 @@
 #include "checkpoint/manifest.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
+#include "pipeline/film_window.h"
 #include "pipeline/run_fingerprint.h"
 
 namespace fluidymation {
@@ -186,8 +187,10 @@ void requireDecision(const RunIdentity& run, const std::optional<Manifest>& mani
 RunIdentity identityOf(const Options& options, const Inputs& inputs,
                        const std::vector<std::string>& outPaths,
                        const std::function<void()>& beforeEach) {
-  const CheckpointLimits limits{inputs.color.scaled, inputs.color.files.count(),
-                                inputs.target.scaled, inputs.target.files.count()};
+  const CheckpointLimits limits{
+      inputs.color.scaled, inputs.color.files.count(),
+      FilmWindow(options, inputs.color.files.count(), inputs.target.files.count()).heldFrames(),
+      inputs.target.scaled, inputs.target.files.count()};
   return {RunFiles(FramePattern(options.outPath)), inputs.target.files.numbers, outPaths,
           fingerprintOf(options, inputs, beforeEach), limits};
 }

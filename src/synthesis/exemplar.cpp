@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/shape_rules.h"
@@ -57,7 +59,12 @@ void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
       const std::int16_t edge =
           toFixed(shapeChannel(guides, x, y, borderWidthPx_, rules_), kEdgeSteps);
       setTexels(x, y, frame, [&](Texel& texel) { texel.guides.edge = edge; });
-      extentsPx_[i] = {guides.extForward(x, y), guides.extBackward(x, y)};
+      const Vec2 extents{guides.extForward(x, y), guides.extBackward(x, y)};
+      if (scalesAtOnce()) {
+        setExtents(x, y, frame, extents);
+      } else {
+        extentsPx_[i] = extents;
+      }
       const Vec2 direction = guides.direction(x, y);
       directions_[i] = {toFixed(direction.x, kDirectionSteps),
                         toFixed(direction.y, kDirectionSteps)};
@@ -67,23 +74,52 @@ void ExemplarLevel::setGuides(int frame, const GuideLevel& guides) {
   });
 }
 
-void ExemplarLevel::finish(const ExtentScale& extentScale) {
+void ExemplarLevel::setExtentScale(const ExtentScale& extentScale) {
+  extentScale_ = extentScale;
   comparesAges_ = extentScale.isOfAges();
   extentSteps_ = extentScale.stepsPerUnit();
-  forEachRow(size_.height * frameCount_, [&](int row) {
-    const int y = row % size_.height;
-    const int k = row / size_.height;
-    for (int x = 0; x < size_.width; ++x) {
-      const Vec2 extentPx = extentsPx_[offset(x, y, k)];
-      const std::int16_t forward = toFixed(extentScale(extentPx.x), extentSteps_);
-      const std::int16_t backward = toFixed(extentScale(extentPx.y), extentSteps_);
-      setTexels(x, y, k, [&](Texel& texel) {
-        texel.guides.extForward = forward;
-        texel.guides.extBackward = backward;
-      });
-    }
-  });
   std::vector<Vec2>().swap(extentsPx_);
+}
+
+void ExemplarLevel::setExtents(int x, int y, int k, Vec2 extentsPx) {
+  const std::int16_t forward = toFixed(extentScale_(extentsPx.x), extentSteps_);
+  const std::int16_t backward = toFixed(extentScale_(extentsPx.y), extentSteps_);
+  setTexels(x, y, k, [&](Texel& texel) {
+    texel.guides.extForward = forward;
+    texel.guides.extBackward = backward;
+  });
+}
+
+void ExemplarLevel::dropFirst(int count) {
+  assert(0 <= count && count <= frameCount_);
+  const auto drop = [](auto& volume, std::size_t dropped) {
+    if (volume.empty()) return;
+    std::move(volume.begin() + static_cast<std::ptrdiff_t>(dropped), volume.end(), volume.begin());
+  };
+  drop(texels_, padded(-kMarginPx, -kMarginPx, count));
+  drop(extentsPx_, offset(0, 0, count));
+  drop(directions_, offset(0, 0, count));
+  drop(segments_, offset(0, 0, count));
+  drop(distancesPx_, offset(0, 0, count));
+}
+
+void ExemplarLevel::finish(const ExtentScale& extentScale) {
+  if (!scalesAtOnce()) {
+    const std::vector<Vec2> extentsPx = std::move(extentsPx_);
+    setExtentScale(extentScale);
+    forEachRow(size_.height * frameCount_, [&](int row) {
+      const int y = row % size_.height;
+      const int k = row / size_.height;
+      for (int x = 0; x < size_.width; ++x) setExtents(x, y, k, extentsPx[offset(x, y, k)]);
+    });
+  }
+  listPixels();
+}
+
+void ExemplarLevel::listPixels() {
+  borderPixels_.clear();
+  interiorPixels_.clear();
+  allPixels_.clear();
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     if (segments_[i] == Segment::kOutside) continue;
     (segments_[i] == Segment::kBorder ? borderPixels_ : interiorPixels_)
@@ -120,6 +156,12 @@ Exemplar::Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx,
   accBackward_.resize(static_cast<std::size_t>(frameCount));
 }
 
+void Exemplar::setExtentScale(const ExtentScale& scale) {
+  extentScale_ = scale;
+  scaleIsSet_ = true;
+  for (ExemplarLevel& level : levels_) level.setExtentScale(scale);
+}
+
 void Exemplar::setColor(int frame, const Image<Lab>& color) {
   levels_.front().setColor(frame, color);
   if (levelCount() == 1) return;
@@ -131,7 +173,7 @@ void Exemplar::setColor(int frame, const Image<Lab>& color) {
 }
 
 void Exemplar::setGuides(int frame, const GuideFrame& guides) {
-  hasAges_ = !guides.age.empty();
+  if (!scaleIsSet_) extents_.add(guides);
   GuideLevel guideLevel = finestLevel(guides);
   for (int l = 0; l < levelCount(); ++l) {
     if (l > 0) guideLevel = halve(guideLevel);
@@ -146,30 +188,17 @@ void Exemplar::use(const PatchKernels& kernels) {
 }
 
 void Exemplar::finish(ExtentUnit unit) {
-  if (hasAges_) {
-    extentScale_ = ExtentScale::ofAges(static_cast<float>(frameCount() - 1));
-  } else if (unit == ExtentUnit::kExemplar) {
-    const float meanPx = meanExtentPx();
-    if (meanPx > 0.0F) extentScale_ = ExtentScale::boundedAt(kHalfExtentShare * meanPx);
-  }
+  if (!scaleIsSet_) extentScale_ = extents_.scale(unit);
   for (ExemplarLevel& level : levels_) level.finish(extentScale_);
 }
 
-float Exemplar::meanExtentPx() const {
-  double sum = 0.0;
-  std::size_t count = 0;
-  const ExemplarLevel& finest = level(0);
-  for (int k = 0; k < frameCount(); ++k) {
-    for (int y = 0; y < finest.size().height; ++y) {
-      for (int x = 0; x < finest.size().width; ++x) {
-        if (finest.segment(x, y, k) == Segment::kOutside) continue;
-        sum += static_cast<double>(length(accForward(k)(x, y))) +
-               static_cast<double>(length(accBackward(k)(x, y)));
-        count += 2;
-      }
-    }
+void Exemplar::advance(int count) {
+  firstFrame_ += count;
+  const int dropped = std::min(count, frameCount());
+  for (ExemplarLevel& level : levels_) level.dropFirst(dropped);
+  for (auto* acc : {&accForward_, &accBackward_}) {
+    std::move(acc->begin() + dropped, acc->end(), acc->begin());
   }
-  return count == 0 ? 0.0F : static_cast<float>(sum / static_cast<double>(count));
 }
 
 }  // namespace fluidymation

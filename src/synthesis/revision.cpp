@@ -19,6 +19,12 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   const auto here = [&work](const auto& image, const Painting& of) {
     return recropped(image, of.state.box, work.box);
   };
+  const auto matchesHere = [&](const Painting& of) {
+    NearestNeighborField matches = here(of.state.nnf, of);
+    toHeldFrames(matches, filmBegin_, exemplar_.frameCount());
+    return matches;
+  };
+  followFilm();
   const GuideFrame& frame = current.guides;
   GuideFrame next;
   next.flow = here(after.guides.flow, after);
@@ -26,27 +32,29 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   next.ageGrows = after.guides.ageGrows;
   Image<float> owed = here(after.state.owed, after);
   const NearestNeighborField fromAfter = timed(Stage::kShift, 0, [&] {
-    return shiftBack(exemplar_, frame.mask, next, here(after.state.nnf, after),
+    return shiftBack(exemplar_, frame.mask, next, matchesHere(after),
                      options_.carriesMotion ? &owed : nullptr);
   });
   if (!hasAnyMatch(fromAfter)) return;
   Image<float> owedBefore = here(before.state.owed, before);
   const NearestNeighborField fromBefore = timed(Stage::kShift, 0, [&] {
-    return shift(exemplar_, frame, here(before.state.nnf, before),
+    return shift(exemplar_, frame, matchesHere(before),
                  options_.carriesMotion ? &owedBefore : nullptr);
   });
 
   std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
+  const NearestNeighborField own = matchesHere(current);
   NearestNeighborField nnf;
   for (int l = exemplar_.levelCount() - 1; l >= 0; --l) {
     TargetLevel& target = levels[static_cast<std::size_t>(l)];
-    nnf = l < finestOptimized()
-              ? upscaled(nnf, l, target)
-              : revisedField(work, l, nnf, current.state.nnf, fromBefore, fromAfter, target);
+    nnf = l < finestOptimized() ? upscaled(nnf, l, target)
+                                : revisedField(work, l, nnf, own, fromBefore, fromAfter, target);
   }
+  current.picture =
+      timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, levels.front(), nnf); });
   current.state.nnf = std::move(nnf);
-  current.picture = timed(Stage::kPaint, 0,
-                          [&] { return paintedPicture(frame, levels.front(), current.state.nnf); });
+  current.state.filmBegin = filmBegin_;
+  toFilmFrames(current.state.nnf, filmBegin_);
   if (!options_.carriesMotion) return;
   forEachRow(owed.height(), [&](int y) {
     for (int x = 0; x < owed.width(); ++x) {

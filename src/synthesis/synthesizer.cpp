@@ -1,6 +1,7 @@
 #include "fluidymation/synthesis/synthesizer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "fluidymation/core/parallel.h"
@@ -79,7 +80,10 @@ Mask paintedPixels(const GuideFrame& frame) {
 
 Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options,
                          StageObserver* observer)
-    : exemplar_(exemplar), options_(options), observer_(observer) {
+    : exemplar_(exemplar),
+      options_(options),
+      observer_(observer),
+      filmBegin_(exemplar.firstFrame()) {
   for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
   }
@@ -119,7 +123,26 @@ Image<Lab> Synthesizer::paintPart(FramePart part) {
   return recropped(picture_, box_, whole(size_));
 }
 
+void Synthesizer::followFilm() {
+  if (exemplar_.firstFrame() == filmBegin_) return;
+  toFilmFrames(nnf_, filmBegin_);
+  filmBegin_ = exemplar_.firstFrame();
+  toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
+  for (std::size_t i = 0; i < expectedUse_.size(); ++i) {
+    memory_[i] = {};  // as large as what the count of uses takes
+    const auto level = static_cast<int>(i) + finestOptimized();
+    expectedUse_[i] = ExpectedUse(exemplar_.level(level), options_.occRadiusFrames);
+  }
+}
+
+NearestNeighborField Synthesizer::nnf() const {
+  NearestNeighborField nnf = recropped(nnf_, box_, whole(size_));
+  toFilmFrames(nnf, filmBegin_);
+  return nnf;
+}
+
 Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
+  followFilm();
   const int coarsest = exemplar_.levelCount() - 1;
   const NearestNeighborField shifted = timed(Stage::kShift, 0, [&] {
     return shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
@@ -168,7 +191,8 @@ DistanceWeights Synthesizer::weights() const {
 }
 
 SynthesisState Synthesizer::state() const {
-  SynthesisState state{frame_, size_, box_, nnf_.clone(), owed_.clone()};
+  SynthesisState state{frame_, size_, box_, nnf_.clone(), owed_.clone(), filmBegin_};
+  toFilmFrames(state.nnf, filmBegin_);
   for (std::size_t i = 0; i < state.owed.pixelCount(); ++i) {
     // Left over from before an empty frame; `shift` does not look at it
     if (!state.nnf.data()[i].exists()) state.owed.data()[i] = 0.0F;
@@ -177,10 +201,13 @@ SynthesisState Synthesizer::state() const {
 }
 
 void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
+  assert(exemplar_.firstFrame() == state.filmBegin);
+  followFilm();
   frame_ = state.frame;
   size_ = state.size;
   box_ = state.box;
   nnf_ = std::move(state.nnf);
+  toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
   owed_ = std::move(state.owed);
   guides_ = croppedGuides(last, box_);
   picture_ = countInside(guides_.mask) > 0

@@ -41,6 +41,7 @@ const std::vector<Reaching>& reachingOptions() {
       {"--src-start", "-3", [](C c) { return c.options.source.start == -3; }},
       {"--src-frames", "7", [](C c) { return c.options.source.frames == 7; }},
       {"--src-speed", "-1", [](C c) { return c.options.source.speed == -1; }},
+      {"--src-window", "12", [](C c) { return c.options.sourceWindowFrames == 12; }},
       {"--src-scale", "0.5", [](C c) { return c.options.source.scale == 0.5; }},
       {"--target-start", "0", [](C c) { return c.options.target.start == 0; }},
       {"--target-frames", "1000000", [](C c) { return c.options.target.frames == 1000000; }},

@@ -8,7 +8,7 @@
 namespace fluidymation::fuzz {
 
 /// Of a run over four frames of 28x22 px with an exemplar of five frames of 24x20 px.
-inline constexpr CheckpointLimits kStateLimits{{24, 20}, 5, {28, 22}, 4};
+inline constexpr CheckpointLimits kStateLimits{{24, 20}, 5, 3, {28, 22}, 4};
 
 /// What this run's states are compared with.
 [[nodiscard]] Fingerprint stateFingerprint();

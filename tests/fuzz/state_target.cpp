@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "checkpoint/checkpoint_file.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/index.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "fuzz_target.h"
@@ -27,13 +29,18 @@ class Scene {
     target_.frameCount = kStateLimits.targetFrames;
     options_.optIterations = {1};
     options_.patchmatchIterations = {1};
+    for (int begin = 0; begin + kStateLimits.heldFrames <= kStateLimits.exemplarFrames; ++begin) {
+      exemplars_.push_back(test::heldDiscExemplar(
+          film(), begin, kStateLimits.heldFrames,
+          coarsestLevel(kStateLimits.exemplar, kStateLimits.target), kBorderWidthPx, 1));
+    }
   }
 
   /// Paints the frame after the state's.
   void goOn(SynthesisState state) const {
     const int next = state.frame;
     if (next >= kStateLimits.targetFrames) return;
-    Synthesizer synthesizer(exemplar_, options_);
+    Synthesizer synthesizer(exemplars_[at(state.filmBegin)], options_);
     synthesizer.restore(std::move(state), target_.guides(next - 1));
     const Image<Lab> picture = synthesizer.paint(target_.guides(next));
     require(picture.size() == target_.size, "a frame has the target's size");
@@ -51,8 +58,7 @@ class Scene {
 
   test::GrowingDisc target_;
   SynthesisOptions options_;
-  Exemplar exemplar_ = test::discExemplar(
-      film(), coarsestLevel(kStateLimits.exemplar, kStateLimits.target), kBorderWidthPx, 1);
+  std::vector<Exemplar> exemplars_;  ///< by the first frame that is held
 };
 
 }  // namespace

@@ -87,15 +87,24 @@ Image<FixedLab> fixedPicture(const Image<Lab>& color, const Image<Segment>& segm
 
 Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx,
                       std::uint64_t seed, const ShapeRules& rules) {
-  Exemplar exemplar(disc.size, disc.frameCount, coarsest, borderWidthPx, rules);
-  for (int k = 0; k < disc.frameCount; ++k) {
-    exemplar.setColor(k, paintedDisc(disc, k, seed));
-    GuideFrame guides = disc.guides(k);
-    guides.shape = blurredMask(guides.mask, borderWidthPx);
-    exemplar.setGuides(k, guides);
-  }
+  return heldDiscExemplar(disc, 0, disc.frameCount, coarsest, borderWidthPx, seed, rules);
+}
+
+Exemplar heldDiscExemplar(const GrowingDisc& disc, int begin, int held, int coarsest,
+                          float borderWidthPx, std::uint64_t seed, const ShapeRules& rules) {
+  Exemplar exemplar(disc.size, held, coarsest, borderWidthPx, rules);
+  exemplar.advance(begin);
+  for (int k = begin; k < begin + held; ++k) fillFrame(disc, k, seed, exemplar);
   exemplar.finish();
   return exemplar;
+}
+
+void fillFrame(const GrowingDisc& disc, int frame, std::uint64_t seed, Exemplar& exemplar) {
+  const int k = frame - exemplar.firstFrame();
+  exemplar.setColor(k, paintedDisc(disc, frame, seed));
+  GuideFrame guides = disc.guides(frame);
+  guides.shape = blurredMask(guides.mask, exemplar.level(0).borderWidthPx());
+  exemplar.setGuides(k, guides);
 }
 
 }  // namespace fluidymation::test

@@ -38,4 +38,12 @@ struct GrowingDisc {
 [[nodiscard]] Exemplar discExemplar(const GrowingDisc& disc, int coarsest, float borderWidthPx,
                                     std::uint64_t seed, const ShapeRules& rules = {});
 
+/// The same where only `held` frames are held, from frame `begin` of the disc on.
+[[nodiscard]] Exemplar heldDiscExemplar(const GrowingDisc& disc, int begin, int held, int coarsest,
+                                        float borderWidthPx, std::uint64_t seed,
+                                        const ShapeRules& rules = {});
+
+/// Fills in frame `frame` of the disc, which the exemplar has to hold.
+void fillFrame(const GrowingDisc& disc, int frame, std::uint64_t seed, Exemplar& exemplar);
+
 }  // namespace fluidymation::test

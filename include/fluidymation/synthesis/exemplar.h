@@ -10,6 +10,7 @@
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/channels.h"
+#include "fluidymation/synthesis/film_extents.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/texel.h"
@@ -33,8 +34,18 @@ class ExemplarLevel {
   [[nodiscard]] const PatchKernels& kernels() const { return *kernels_; }
   void use(const PatchKernels& kernels) { kernels_ = &kernels; }
 
+  /// Says how extents are scaled before any frame is filled: then they are not kept unscaled until
+  /// all are, which takes less memory.
+  void setExtentScale(const ExtentScale& extentScale);
+
+  /// Lets go of the first frames: those behind them move up, and as many at the end are to be
+  /// filled anew, before `finish`.
+  /// @param count  in [0, frameCount()].
+  void dropFirst(int count);
+
   /// Completes the level when all frames are filled: scales the extents, lists the pixels of each
   /// segment.
+  /// @param extentScale  the one that was set, where one was.
   void finish(const ExtentScale& extentScale = {});
 
   [[nodiscard]] Size size() const { return size_; }
@@ -126,6 +137,11 @@ class ExemplarLevel {
     return static_cast<std::size_t>(row * stride() + x + kMarginPx);
   }
 
+  /// Whether the scale of extents is known, so that they need not be kept unscaled.
+  [[nodiscard]] bool scalesAtOnce() const { return extentsPx_.empty(); }
+  void setExtents(int x, int y, int k, Vec2 extentsPx);
+  void listPixels();
+
   /// Sets a pixel's texel, and those of the margin that repeat it, by `set(texel)`.
   template <typename Set>
   void setTexels(int x, int y, int k, const Set& set);
@@ -147,6 +163,7 @@ class ExemplarLevel {
   ShapeRules rules_;
   bool segmented_ = true;
   bool comparesAges_ = false;
+  ExtentScale extentScale_;
   std::vector<float> distancesPx_;  ///< empty where the edge guide tells them
   float extentSteps_ = 1.0F;
   std::vector<Texel> texels_;    ///< with margins
@@ -158,19 +175,32 @@ class ExemplarLevel {
   std::vector<std::uint32_t> allPixels_;  ///< only where segments are not hard
 };
 
-/// The exemplar on all levels, and its accumulated motion at full resolution.
+/// The exemplar on all levels, and its accumulated motion at full resolution: a whole film, or as
+/// many consecutive frames of it as are held at a time (P§5). Frames are counted from the first
+/// one that is held.
 class Exemplar {
  public:
   /// @param coarsest  number of the coarsest level wanted.
   Exemplar(Size size, int frameCount, int coarsest, float borderWidthPx,
            const ShapeRules& rules = {});
 
+  /// Of a part of a film, before any frame is filled: how the whole film's extents are scaled
+  /// (`FilmExtents`), so that it is the same whichever part is held.
+  void setExtentScale(const ExtentScale& scale);
+
   /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideFrame& guides);
   /// Where the guides hold ages, in all frames or in none, they are compared in the place of the
   /// extents, and the target's guides have to hold them too; `unit` then says nothing.
+  /// Where a scale was set, that one is taken.
   void finish(ExtentUnit unit = ExtentUnit::kPixels);
+
+  /// Lets go of the first `count` frames, and holds as many more at the end, which are to be filled
+  /// before `finish` is called again; where all are let go of, as when nothing is filled yet, all.
+  void advance(int count);
+  /// Number, within the film, of the first frame that is held.
+  [[nodiscard]] int firstFrame() const { return firstFrame_; }
 
   /// See `ExemplarLevel::use`; of all levels.
   void use(const PatchKernels& kernels);
@@ -194,11 +224,10 @@ class Exemplar {
   }
 
  private:
-  /// Mean length of acc+ and acc- over all mask pixels, px; 0 when nothing ever moves.
-  [[nodiscard]] float meanExtentPx() const;
-
   ExtentScale extentScale_;
-  bool hasAges_ = false;  ///< whether the guides set so far hold ages
+  bool scaleIsSet_ = false;
+  FilmExtents extents_;  ///< of the frames filled so far, unless the scale is set
+  int firstFrame_ = 0;
   std::vector<ExemplarLevel> levels_;
   std::vector<Image<Vec2>> accForward_;
   std::vector<Image<Vec2>> accBackward_;

@@ -65,6 +65,22 @@ using NearestNeighborField = Image<Match>;
   return std::any_of(nnf.begin(), nnf.end(), [](const Match& match) { return match.exists(); });
 }
 
+/// Counts the frames of matches from `begin` of the film on, where all of it was counted. A match
+/// whose frame is not among the `frameCount` frames from there gets the nearest one that is.
+inline void toHeldFrames(NearestNeighborField& nnf, int begin, int frameCount) {
+  for (Match& match : nnf) {
+    if (match.exists()) match.frame = std::clamp(match.frame - begin, 0, frameCount - 1);
+  }
+}
+
+/// The reverse.
+inline void toFilmFrames(NearestNeighborField& nnf, int begin) {
+  if (begin == 0) return;
+  for (Match& match : nnf) {
+    if (match.exists()) match.frame += begin;
+  }
+}
+
 /// Identifies one run of a random procedure within a level of a frame.
 struct Place {
   int frame = 0;

@@ -13,11 +13,13 @@ struct SynthesisState {
   int frame = 0;             ///< frames painted so far
   Size size;                 ///< of the whole frame; 0x0 before the first
   Box box;                   ///< what was worked on of it
-  NearestNeighborField nnf;  ///< of the box
+  NearestNeighborField nnf;  ///< of the box; frames are numbered as in the whole film
   Image<float> owed;         ///< likewise; movement kept for later, px, 0 where there is no match
+  /// The first film frame that was held (`Exemplar::firstFrame`) when the matches were found.
+  int filmBegin = 0;
 
   [[nodiscard]] SynthesisState clone() const {
-    return {frame, size, box, nnf.clone(), owed.clone()};
+    return {frame, size, box, nnf.clone(), owed.clone(), filmBegin};
   }
 };
 

@@ -29,7 +29,8 @@ struct LevelIterations {
 class Synthesizer {
  public:
   /// @param exemplar  finished; must outlive the synthesizer; with at least as many levels as
-  ///   `coarsestLevel` of its size and the target's.
+  ///   `coarsestLevel` of its size and the target's. It may advance in its film between frames:
+  ///   matches in frames that it has let go of then move to the nearest one that it holds.
   /// @param observer  is told of the stages if given; must outlive the synthesizer.
   Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options,
               StageObserver* observer = nullptr);
@@ -43,8 +44,9 @@ class Synthesizer {
   /// The same, and frees the guides before the search, which needs only those round the mask.
   [[nodiscard]] Image<Lab> paint(GuideFrame&& frame);
 
-  /// Full-resolution matches of the frame painted last; the size of its frame.
-  [[nodiscard]] NearestNeighborField nnf() const { return recropped(nnf_, box_, whole(size_)); }
+  /// Full-resolution matches of the frame painted last, in frames of the whole film; the size of
+  /// its frame.
+  [[nodiscard]] NearestNeighborField nnf() const;
 
   /// All of the frame painted last.
   [[nodiscard]] Painting painting() const;
@@ -65,7 +67,8 @@ class Synthesizer {
   [[nodiscard]] SynthesisState state() const;
 
   /// Goes on after the frame that `state` was taken of: all that follows is painted as there.
-  /// @param last  guides of that frame.
+  /// @param last  guides of that frame. The exemplar has to hold what it did then,
+  ///   `SynthesisState::filmBegin`.
   void restore(SynthesisState state, const GuideFrame& last);
 
   /// Paints the next frame afresh, as frame number `frame` (from 0) of the target.
@@ -84,6 +87,9 @@ class Synthesizer {
   /// The picture that matches give the part `guides` of a frame.
   [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
                                           const NearestNeighborField& nnf) const;
+
+  /// Goes by what the exemplar holds now, where it has advanced.
+  void followFilm();
 
   /// Paints what of the frame lies in `box_`; @return  the picture of that part.
   [[nodiscard]] Image<Lab> paintBox(const GuideFrame& frame);
@@ -146,6 +152,7 @@ class Synthesizer {
   NearestNeighborField nnf_;
   Image<float> owed_;  ///< movement kept for later, see `shift`; px
   Image<Lab> picture_;
+  int filmBegin_ = 0;  ///< of the frames that the exemplar held for `nnf_`; see SynthesisState
   bool held_ = false;
   int frame_ = 0;
 };

@@ -16,7 +16,7 @@ namespace {
 using test::Bytes;
 using test::messageOf;
 
-constexpr CheckpointLimits kLimits{{24, 20}, 5, {28, 22}, 4};
+constexpr CheckpointLimits kLimits{{24, 20}, 5, 3, {28, 22}, 4};
 constexpr std::size_t kDigestBytes = 16;
 
 Fingerprint fingerprint() {
@@ -32,12 +32,13 @@ SynthesisState state() {
   result.frame = 2;
   result.size = kLimits.target;
   result.box = {4, 8, 20, 16};
+  result.filmBegin = 2;
   result.nnf = NearestNeighborField(result.box.size());
   result.owed = Image<float>(result.box.size());
   for (std::size_t i = 0; i < result.nnf.pixelCount(); i += 3) {
     const float angle = 0.1F * static_cast<float>(i);
     Match& match = result.nnf.data()[i];
-    match = {0.25F * static_cast<float>(i % 90), 17.5F, static_cast<int>(i % 5),
+    match = {0.25F * static_cast<float>(i % 90), 17.5F, 2 + static_cast<int>(i / 3 % 3),
              Rotation{std::cos(angle), std::sin(angle)}};
     if (i % 2 == 0) result.owed.data()[i] = 0.5F - 0.01F * static_cast<float>(i);
   }
@@ -74,6 +75,7 @@ TEST(CheckpointTest, ComesBackAsItWas) {
   const SynthesisState expected = state();
   EXPECT_TRUE(checkpoint->synthesis.size == expected.size);
   EXPECT_TRUE(checkpoint->synthesis.box == expected.box);
+  EXPECT_EQ(checkpoint->synthesis.filmBegin, 2);
   ASSERT_TRUE(checkpoint->synthesis.nnf.size() == expected.nnf.size());
   EXPECT_EQ(std::memcmp(checkpoint->synthesis.nnf.data(), expected.nnf.data(),
                         expected.nnf.pixelCount() * sizeof(Match)),
@@ -85,7 +87,7 @@ TEST(CheckpointTest, ComesBackAsItWas) {
 
 TEST(CheckpointTest, IsLittleEndian) {
   const Bytes bytes = encoded();
-  const Bytes beginning = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n', 1, 0, 0, 0, 5, 0, 0, 0, '0'};
+  const Bytes beginning = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n', 2, 0, 0, 0, 5, 0, 0, 0, '0'};
   EXPECT_TRUE(std::equal(beginning.begin(), beginning.end(), bytes.begin()));
 }
 
@@ -114,17 +116,30 @@ TEST(CheckpointTest, NoOtherLengthIsTakenForIt) {
   EXPECT_THROW((void)decoded(forged(longer)), Error);
 }
 
+TEST(CheckpointTest, OneOfFramesThatAreNotHeldIsRefused) {
+  SynthesisState bad = state();
+  bad.filmBegin = 1;  // then its matches reach one frame too far
+  const auto complaint = [&] {
+    return messageOf<Error>([&] { (void)decoded(encode(fingerprint(), 0, frames(), bad)); });
+  };
+  EXPECT_EQ(complaint(), "it is damaged: the frame of a match is out of range");
+  bad.filmBegin = 3;
+  EXPECT_EQ(complaint(), "it is damaged: the first frame held is out of range");
+}
+
 /// Everything that the synthesis relies on.
 bool isWithinLimits(const Checkpoint& checkpoint) {
   const SynthesisState& s = checkpoint.synthesis;
-  const bool matchesLie = std::all_of(s.nnf.begin(), s.nnf.end(), [](const Match& m) {
-    return !m.exists() ||
-           (std::abs(m.x) < 40.0F && std::abs(m.y) < 40.0F && m.frame < kLimits.exemplarFrames &&
-            std::abs(length(m.rotation.apply({1.0F, 0.0F})) - 1.0F) < 0.1F);
+  const bool matchesLie = std::all_of(s.nnf.begin(), s.nnf.end(), [&s](const Match& m) {
+    return !m.exists() || (std::abs(m.x) < 40.0F && std::abs(m.y) < 40.0F &&
+                           m.frame >= s.filmBegin && m.frame < s.filmBegin + kLimits.heldFrames &&
+                           std::abs(length(m.rotation.apply({1.0F, 0.0F})) - 1.0F) < 0.1F);
   });
-  return matchesLie && s.frame >= 1 && s.frame <= 4 && s.size == kLimits.target &&
-         s.box.beginX >= 0 && s.box.endX <= 28 && s.box.beginY >= 0 && s.box.endY <= 22 &&
-         s.nnf.size() == s.box.size() && s.owed.size() == s.box.size() &&
+  return matchesLie && s.filmBegin >= 0 &&
+         s.filmBegin + kLimits.heldFrames <= kLimits.exemplarFrames && s.frame >= 1 &&
+         s.frame <= 4 && s.size == kLimits.target && s.box.beginX >= 0 && s.box.endX <= 28 &&
+         s.box.beginY >= 0 && s.box.endY <= 22 && s.nnf.size() == s.box.size() &&
+         s.owed.size() == s.box.size() &&
          std::all_of(s.owed.begin(), s.owed.end(), [](float o) { return std::isfinite(o); }) &&
          checkpoint.frames.size() == 4;
 }
@@ -179,7 +194,7 @@ TEST(CheckpointTest, OneWithMoreThanARunCanHaveIsRefused) {
 TEST(CheckpointTest, OneOfAnotherFormatIsRefusedByNumber) {
   Bytes bytes = encoded();
   bytes[8] = 9;
-  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }), "it has format 9; wanted 1");
+  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }), "it has format 9; wanted 2");
 }
 
 TEST(CheckpointTest, FilesThatAreNoneAreRefusedByName) {

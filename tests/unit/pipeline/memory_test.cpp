@@ -40,6 +40,8 @@ TEST(Memory, GrowsWithEverySize) {
   };
   EXPECT_GT(changed([](RunSize& r) { r.exemplar = {401, 300}; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.exemplarFrames = 21; }), bytes);
+  EXPECT_LT(changed([](RunSize& r) { r.heldFrames = 19; }), bytes);
+  EXPECT_EQ(changed([](RunSize& r) { r.heldFrames = 20; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.target = {500, 401}; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.exemplarMaskPixels = 1000; }), bytes);
   EXPECT_GT(changed([](RunSize& r) { r.targetMaskPixels = 1000; }), bytes);
@@ -152,6 +154,7 @@ struct FullMaskRun {
   const char* preset = "standard";
   int threads = 1;
   TemporalCoherence coherence = TemporalCoherence::kForward;
+  int heldFrames = 0;
 };
 
 InputMask maskOf(MaskKind kind, Size size) {
@@ -204,6 +207,7 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
                    {"--opt-iterations", "0"},
                    {"--patchmatch-iterations", "1"},
                    {"--threads", std::to_string(run.threads)},
+                   {"--src-window", std::to_string(run.heldFrames)},
                    {"--temporal-coherence",
                     run.coherence == TemporalCoherence::kForward ? "forward" : "bidirectional"},
                    {"--quiet", ""}});
@@ -215,6 +219,7 @@ TEST_P(MemoryOfFullMasks, StaysWithinTheEstimate) {
   size.shape = options.synthesis.shape;
   size.finestLevel = options.synthesis.finestLevel;
   size.temporalCoherence = run.coherence;
+  size.heldFrames = run.heldFrames;
   size.exemplarMaskPixels = maskPixels(run.kind, run.source);
   size.targetMaskPixels = maskPixels(run.kind, run.target);
   const std::int64_t estimate = bytesOfRun(size);
@@ -232,6 +237,24 @@ INSTANTIATE_TEST_SUITE_P(
         FullMaskRun{"exemplar", {1000, 800}, {40, 40}, 1},
         FullMaskRun{"movingExemplar", {700, 600}, {40, 40}, 3},
         FullMaskRun{"longExemplar", {200, 150}, {40, 40}, 40},
+        FullMaskRun{"longExemplarInParts",
+                    {200, 150},
+                    {40, 40},
+                    40,
+                    MaskKind::kHard,
+                    "standard",
+                    1,
+                    TemporalCoherence::kForward,
+                    20},
+        FullMaskRun{"largeExemplarInPartsSideBySide",
+                    {500, 400},
+                    {200, 150},
+                    12,
+                    MaskKind::kSoft,
+                    "standard",
+                    2,
+                    TemporalCoherence::kForward,
+                    4},
         FullMaskRun{"longThesis", {200, 150}, {40, 40}, 40, MaskKind::kHard, "thesis"},
         FullMaskRun{"longPaper", {200, 150}, {40, 40}, 40, MaskKind::kHard, "paper"},
         FullMaskRun{"paper", {40, 40}, {600, 500}, 2, MaskKind::kHard, "paper"},
