@@ -28,7 +28,7 @@ import time
 
 import kill_and_resume
 import small_scene
-from fault_bench import MANIFEST, ROOT, Bench, Broken, Skipped
+from fault_bench import MANIFEST, ROOT, Bench, Broken, Skipped, files_of
 
 
 # ------------------------------------------------------------------------------------------------
@@ -117,6 +117,39 @@ def disk_full_tmpfs(bench):
             subprocess.run(["umount", disk], check=True)
         size_kib += 16
     return f"{len(hit)} sizes were too small, and named " + ", ".join(sorted(set(hit)))
+
+
+def disk_full_waiting(bench):
+    """a disk that fills up under the frames that wait for their turn (a tmpfs of 4 MiB)"""
+    if bench.quick:
+        raise Skipped("only without --quick")
+    scene = bench.own_scene()
+    small_scene.make_large_targets(scene, 640, bench.frame_count)  # 2 MB each, and 16 MiB wait in memory
+    part = ("--render-frames", "1-2", "--opt-iterations", "1")
+    reference = bench.fresh("large")
+    bench.must_paint(bench.run(reference, *part, scene=scene))
+    disk = bench.folder / "small_disk"
+    disk.mkdir()
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "tmpfs", disk], capture_output=True)
+    if mounted.returncode != 0:
+        raise Skipped("a tmpfs cannot be mounted here: " + mounted.stderr.decode().strip())
+    try:
+        result = bench.run(disk / "out", *part, scene=scene)
+        bench.must_fail(result, f"{disk}: the temporary file for frames that wait", "No space left on device",
+                        "wanted more room there")
+        if left := [path.name for path in disk.rglob("*")]:
+            raise Broken("left over: " + ", ".join(left))
+        room = os.statvfs(disk)
+        if room.f_bfree < room.f_blocks - 1:  # the folder itself
+            raise Broken(f"{room.f_blocks - room.f_bfree} blocks are still taken")
+        subprocess.run(["mount", "-o", "remount,size=64m", disk], check=True)
+        bench.must_paint(bench.run(disk / "out", *part, scene=scene))
+        for name, data in files_of(reference).items():
+            if name.endswith(".png") and (disk / "out" / name).read_bytes() != data:
+                raise Broken(f"{name} differs from the one painted elsewhere")
+    finally:
+        subprocess.run(["umount", disk], check=True)
+    return None
 
 
 def slow_writes(bench):
@@ -356,9 +389,9 @@ def decimal_comma(bench):
         os.environ.pop("LOCPATH", None)
 
 
-ROWS = [killed, interrupted, disk_full_write, disk_full_tmpfs, disk_error, slow_writes, read_only_folder,
-        read_only_while_running, permission_denied, inputs_change, input_folder_vanishes, output_changes, two_runs,
-        out_of_memory, clock_backwards, names_not_utf8, decimal_comma]
+ROWS = [killed, interrupted, disk_full_write, disk_full_tmpfs, disk_full_waiting, disk_error, slow_writes,
+        read_only_folder, read_only_while_running, permission_denied, inputs_change, input_folder_vanishes,
+        output_changes, two_runs, out_of_memory, clock_backwards, names_not_utf8, decimal_comma]
 
 
 def parsed_arguments():

@@ -71,6 +71,19 @@ def make(folder, side, frames, film_frames=5, seed=1):
         (folder / "target" / f"{j + 1:05d}.png").write_bytes(png_bytes(side, side, 1, mask))
 
 
+def make_large_targets(folder, side, frames):
+    """Replaces folder/target by discs that nearly fill frames of so many px a side, and grow."""
+    for j in range(frames):
+        radius = side * (0.4 + 0.05 * j / frames)
+        rows = []
+        for y in range(side):
+            reach = radius**2 - (y - side / 2) ** 2
+            half = int(reach**0.5) if reach > 0 else 0
+            outside = bytes(side // 2 - half)
+            rows.append(outside + b"\xff" * (side - 2 * len(outside)) + outside if half else bytes(side))
+        (folder / "target" / f"{j + 1:05d}.png").write_bytes(png_bytes(side, side, 1, rows))
+
+
 def options(folder, out):
     """Of a run in `folder` that paints into `out`, in the order of the command line."""
     folder = pathlib.Path(folder)

@@ -83,7 +83,8 @@ void UnnamedFile::fail(const std::string& what, int code) const {
   constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
   throw Error(folder_ + ": the temporary file for frames that wait for their turn " + what + " (" +
               std::generic_category().message(code) + "); it holds " +
-              std::to_string(size_ / kMebibyte) + " MiB so far");
+              std::to_string(size_ / kMebibyte) +
+              " MiB so far; wanted more room there, or frames on another disk");
 }
 
 }  // namespace fluidymation
