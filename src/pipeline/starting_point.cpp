@@ -82,11 +82,51 @@ void requireSameNames(const Manifest& manifest, const RunIdentity& run) {
   return states;
 }
 
-/// The newest state that a run over `wanted` can have left.
-[[nodiscard]] std::optional<std::string> newestState(const RunIdentity& run, FrameSpan wanted) {
-  std::optional<std::string> newest;
-  for (const auto& [painted, path] : statesByFrames(run)) {
-    if (painted > wanted.begin && painted <= wanted.end) newest = path;
+/// What a state is worth to a run over some frames: it goes on from `checkpoint`, or cannot, and
+/// `fault` says why.
+struct FoundState {
+  std::string path;
+  int painted = 0;  ///< frames of the target, up to the one that it is the state of
+  std::optional<Checkpoint> checkpoint;
+  std::string fault;
+  /// Where the only fault is that its frames were painted as a part: the first one, from 0.
+  std::optional<int> partBegin;
+};
+
+[[nodiscard]] FoundState readState(const std::string& path, int painted, FrameSpan wanted,
+                                   const RunIdentity& run) {
+  FoundState state{path, painted, {}, {}, {}};
+  try {
+    FoundCheckpoint found = readCheckpoint(path, run.fingerprint, run.limits);
+    if (!found.checkpoint) {
+      state.fault = path + ": is the state of another run (" + found.differs + ")";
+    } else if (found.checkpoint->next() != painted) {
+      state.fault = path + ": is the state of another frame";
+    } else if (found.checkpoint->begin != 0 && found.checkpoint->begin != wanted.begin) {
+      state.partBegin = found.checkpoint->begin;
+      state.fault = path + ": its frames start afresh with frame " +
+                    std::to_string(run.numbers[at(*state.partBegin)]) +
+                    ", those wanted with frame " + std::to_string(run.numbers[at(wanted.begin)]);
+    } else {
+      state.checkpoint = std::move(found.checkpoint);
+    }
+  } catch (const Error& error) {
+    state.fault = error.what();
+  }
+  return state;
+}
+
+/// The newest state that a run over `wanted` can have left. States of parts that were painted by
+/// themselves are passed over, unless there are no others.
+[[nodiscard]] std::optional<FoundState> newestState(const RunIdentity& run, FrameSpan wanted) {
+  const std::map<int, std::string> states = statesByFrames(run);
+  std::optional<FoundState> newest;
+  for (auto state = states.rbegin(); state != states.rend(); ++state) {
+    const auto& [painted, path] = *state;
+    if (painted <= wanted.begin || painted > wanted.end) continue;
+    FoundState found = readState(path, painted, wanted, run);
+    if (!found.partBegin) return found;
+    if (!newest) newest = std::move(found);
   }
   return newest;
 }
@@ -106,27 +146,10 @@ void goOnFrom(Checkpoint checkpoint, StartingPoint& start) {
 
 /// @throws Error naming the file when the state or the frames before it are not what this run would
 /// have made.
-void resumeFrom(const std::string& path, FrameSpan wanted, const RunIdentity& run,
-                const std::function<void()>& beforeEach, StartingPoint& start) {
-  FoundCheckpoint found;
-  try {
-    found = readCheckpoint(path, run.fingerprint, run.limits);
-  } catch (const Error& error) {
-    throw Error(std::string(error.what()) + "; " + kRestartHint);
-  }
-  if (!found.checkpoint) {
-    throw Error(path + ": is the state of another run (" + found.differs + "); " + kRestartHint);
-  }
-  Checkpoint& checkpoint = *found.checkpoint;
-  if (checkpoint.begin != 0 && checkpoint.begin != wanted.begin) {
-    throw Error(path + ": its frames start afresh with frame " +
-                std::to_string(run.numbers[at(checkpoint.begin)]) + ", those wanted with frame " +
-                std::to_string(run.numbers[at(wanted.begin)]) + "; " + kRestartHint);
-  }
-  if (at(checkpoint.next() - 1) >= run.numbers.size() ||
-      run.files.state(run.numbers[at(checkpoint.next() - 1)]) != path) {
-    throw Error(path + ": is the state of another frame; " + kRestartHint);
-  }
+void resumeFrom(FoundState state, const RunIdentity& run, const std::function<void()>& beforeEach,
+                StartingPoint& start) {
+  if (!state.checkpoint) throw Error(state.fault + "; " + kRestartHint);
+  Checkpoint& checkpoint = *state.checkpoint;
   for (int j = 0; j < checkpoint.next(); ++j) {
     if (!checkpoint.frames[at(j)]) continue;
     beforeEach();
@@ -134,7 +157,7 @@ void resumeFrom(const std::string& path, FrameSpan wanted, const RunIdentity& ru
     if (fault) throw Error(*fault + " since it was painted; --restart paints all anew");
   }
   goOnFrom(std::move(checkpoint), start);
-  start.statePath = path;
+  start.statePath = std::move(state.path);
   if (start.span.begin < start.span.end) {
     start.note = "going on with frame " + std::to_string(run.numbers[at(start.span.begin)]) + ", " +
                  std::to_string(start.span.begin) + " of " + std::to_string(run.frameCount()) +
@@ -173,12 +196,27 @@ void beginInside(const RunIdentity& run, StartingPoint& start) {
   start.note = afreshNote(run, start.span.begin, reason);
 }
 
-/// @throws Error where a run over the whole target was stopped and may be gone on with.
-void requireDecision(const RunIdentity& run, const std::optional<Manifest>& manifest) {
-  const std::map<int, std::string> states = statesByFrames(run);
-  if (states.empty() || (manifest && manifest->complete)) return;
-  throw Error(run.files.hiddenFolder() + ": holds the state of a run that was stopped after " +
-              std::to_string(states.rbegin()->first) + " of " + std::to_string(run.frameCount()) +
+/// @throws Error where a run over the whole target was stopped, or has painted a part, and may be
+/// gone on with: says how.
+void requireDecision(const RunIdentity& run, FrameSpan wanted,
+                     const std::optional<Manifest>& manifest) {
+  if (manifest && manifest->complete) return;
+  const std::optional<FoundState> state = newestState(run, wanted);
+  if (!state) return;
+  const auto numberOf = [&run](int frame) { return std::to_string(run.numbers[at(frame)]); };
+  const std::string count = std::to_string(run.frameCount());
+  if (state->partBegin) {
+    const int begin = *state->partBegin;
+    throw Error(run.files.hiddenFolder() +
+                ": holds the state of a part that was painted by itself, frames " +
+                numberOf(begin) + " to " + numberOf(state->painted - 1) +
+                "; wanted --render-frames " + numberOf(begin) + "-" +
+                numberOf(run.frameCount() - 1) +
+                " --resume to go on with it, or --restart to discard it and paint all " + count);
+  }
+  if (!state->checkpoint) throw Error(state->fault + "; " + kRestartHint);
+  throw Error(run.files.hiddenFolder() + ": holds the state of a run that ended after " +
+              std::to_string(state->painted) + " of " + count +
               " frames; wanted --resume to go on with it, or --restart to discard it");
 }
 
@@ -230,9 +268,9 @@ StartingPoint findStart(const ContinuationOptions& options, FrameSpan wanted,
   }
   if (manifest) requireSameNames(*manifest, run);
   if (options.resume) {
-    if (const auto state = newestState(run, wanted)) {
+    if (auto state = newestState(run, wanted)) {
       start.known = recordsOf(manifest, run);
-      resumeFrom(*state, wanted, run, beforeEach, start);
+      resumeFrom(std::move(*state), run, beforeEach, start);
       return start;
     }
     const FrameRecords records = recordsOf(manifest, run);
@@ -250,7 +288,7 @@ StartingPoint findStart(const ContinuationOptions& options, FrameSpan wanted,
     start.note = "there is no state to go on from; beginning with frame " +
                  std::to_string(run.numbers[at(wanted.begin)]);
   } else if (isWhole(wanted, run)) {
-    requireDecision(run, manifest);
+    requireDecision(run, wanted, manifest);
   }
   if (!isWhole(wanted, run)) start.known = recordsOf(manifest, run);
   if (wanted.begin > 0) beginInside(run, start);

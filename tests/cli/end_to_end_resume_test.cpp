@@ -238,9 +238,14 @@ TEST_F(Resume, IsRefusedWhereAFrameIsNotAsItWasPainted) {
 
 TEST_F(Resume, AStoppedRunIsNeitherGoneOnWithNorDiscardedUnasked) {
   leaveState();
-  EXPECT_TRUE(failedNaming(1, "out/.fluidymation: holds the state of a run that was stopped after ",
+  EXPECT_TRUE(failedNaming(1, "out/.fluidymation: holds the state of a run that ended after ",
                            {" of 6 frames; wanted --resume to go on with it, or --restart to "
                             "discard it"},
+                           scene_.paint(quietly(everyFrame({{"--opt-iterations", "400"}})))));
+  // With other options it could not be gone on with
+  EXPECT_TRUE(failedNaming(1, "out/.fluidymation/state-",
+                           {": is the state of another run (--opt-iterations was 400, now 4,3,2); "
+                            "--restart discards it and begins anew"},
                            scene_.paint(quietly(everyFrame()))));
   EXPECT_FALSE(states().empty());
   EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--restart", ""}}))).exitCode, 0);
@@ -293,6 +298,35 @@ TEST_F(Resume, APartWithoutAStateStartsAfreshAndSaysSo) {
   // After the frame without anything all start afresh.
   EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--render-frames", "6"}}))).exitCode, 0);
   EXPECT_EQ(scene_.read(SmallScene::frame("out", 6)), expected_.at("00006.png"));
+}
+
+TEST_F(Resume, APlainRunAfterAPartIsOfferedWhatWorks) {
+  EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--render-frames", "2-3"}}))).exitCode, 0);
+  EXPECT_TRUE(failedWith(1,
+                         "out/.fluidymation: holds the state of a part that was painted by itself, "
+                         "frames 2 to 3; wanted --render-frames 2-6 --resume to go on with it, or "
+                         "--restart to discard it and paint all 6",
+                         scene_.paint(quietly(everyFrame()))));
+  EXPECT_TRUE(failedWith(1,
+                         "out/.fluidymation/state-3.bin: its frames start afresh with frame 2, "
+                         "those wanted with frame 1; --restart discards it and begins anew",
+                         scene_.paint(quietly(resuming()))));
+  const Bytes second = scene_.read(SmallScene::frame("out", 2));
+  EXPECT_EQ(scene_.paint(quietly(resuming({{"--render-frames", "2-6"}}))).exitCode, 0);
+  EXPECT_EQ(scene_.names("out").size(), std::size_t{5});
+  EXPECT_EQ(scene_.read(SmallScene::frame("out", 2)), second);
+  EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--restart", ""}}))).exitCode, 0);
+  EXPECT_TRUE(isComplete());
+}
+
+TEST_F(Resume, APartAheadDoesNotHideTheStateOfTheFramesBefore) {
+  EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--render-frames", "1-2"}}))).exitCode, 0);
+  EXPECT_EQ(scene_.paint(quietly(everyFrame({{"--render-frames", "4-5"}}))).exitCode, 0);
+  EXPECT_TRUE(failedNaming(1, "out/.fluidymation: holds the state of a run that ended after 2 of ",
+                           {"wanted --resume to go on with it"},
+                           scene_.paint(quietly(everyFrame()))));
+  EXPECT_EQ(scene_.paint(quietly(resuming())).exitCode, 0);
+  EXPECT_TRUE(isComplete());
 }
 
 TEST_F(Resume, APartIsResumedToo) {
