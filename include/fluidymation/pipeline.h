@@ -17,6 +17,21 @@ struct FrameReport {
   bool reversed = false;  ///< whether frames come from the last to the first (--reverse)
 };
 
+/// What is gone through before the first frame can be painted.
+enum class ReadingStage {
+  kFilmMasks,
+  kFilmMovement,
+  kTargetMasks,
+  kTargetMovement,
+};
+
+/// So many of the frames of a stage are done.
+struct ReadingReport {
+  ReadingStage stage = ReadingStage::kFilmMasks;
+  int done = 0;
+  int count = 0;
+};
+
 /// How the engine speaks and listens while it works; all are called from the thread that called
 /// `stylize`, and any may be empty.
 struct Observer {
@@ -28,6 +43,9 @@ struct Observer {
   /// All masks and the exemplar are read, and the first frame (its number from 0 in the sequence)
   /// of so many is begun.
   std::function<void(int frame, int frameCount)> paintingBegins;
+  /// Something of the inputs is read, long before painting begins where they are long. Called for
+  /// each frame of each stage.
+  std::function<void(const ReadingReport&)> reading;
 };
 
 /// Validates the options and checks every input, then paints every target frame and writes it, on

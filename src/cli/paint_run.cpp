@@ -1,11 +1,13 @@
 #include "cli/paint_run.h"
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "cli/progress.h"
 #include "cli/progress_lines.h"
+#include "cli/throttle.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/preview.h"
 
@@ -32,6 +34,17 @@ void paintRun(const CommandLine& line, const RunPlace& place, const Streams& str
       refreshes = false;
     }
   };
+  // Programs get fewer lines, and none where reading is done soon
+  using std::chrono_literals::operator""ms;
+  Throttle<> readings(lines ? 5000ms : 200ms);
+  const auto tellOfReading = [&](const ReadingReport& report) {
+    if (!readings.isDue()) return;
+    if (lines) {
+      lines->reading(report);
+    } else {
+      progress.reading(report);
+    }
+  };
   const Observer observer{[&](const std::string& text) { progress.note(text); },
                           [&](const FrameReport& report) {
                             if (lines) {
@@ -48,7 +61,8 @@ void paintRun(const CommandLine& line, const RunPlace& place, const Streams& str
                             } else {
                               progress.paintingBegins(frame, frameCount);
                             }
-                          }};
+                          },
+                          tellOfReading};
   try {
     for (const std::string& text : line.notes) progress.note(text);
     if (!line.preview.path.empty()) preview.emplace(line.options, line.preview, isCancelled);

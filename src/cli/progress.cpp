@@ -31,7 +31,29 @@ std::string clockText(double seconds) {
   return whole < 3600 ? minutesAndSeconds : std::to_string(whole / 3600) + ":" + minutesAndSeconds;
 }
 
+std::string readingText(const ReadingReport& report) {
+  const auto stage = [&report] {
+    switch (report.stage) {
+      case ReadingStage::kFilmMasks:
+        return "masks of the exemplar";
+      case ReadingStage::kFilmMovement:
+        return "movement of the exemplar";
+      case ReadingStage::kTargetMasks:
+        return "masks of the animation";
+      case ReadingStage::kTargetMovement:
+        break;
+    }
+    return "movement of the animation";
+  };
+  return std::string(stage()) + ": " + std::to_string(report.done) + " of " +
+         std::to_string(report.count);
+}
+
 void Progress::readingBegins() { rewrite("reading the masks and the exemplar ..."); }
+
+void Progress::reading(const ReadingReport& report) {
+  rewrite("reading the " + readingText(report) + " ...");
+}
 
 void Progress::paintingBegins(int frame, int frameCount) {
   const std::string count = std::to_string(frameCount);

@@ -19,6 +19,7 @@ class Progress {
       : out_(out), style_(style), label_(std::move(label)) {}
 
   void readingBegins();
+  void reading(const ReadingReport& report);
   /// @param frame  to be painted first, from 0.
   void paintingBegins(int frame, int frameCount);
   void note(const std::string& text);
@@ -49,6 +50,9 @@ class Progress {
   std::string firstPath_;
   std::string lastPath_;
 };
+
+/// "masks of the animation: 120 of 400".
+[[nodiscard]] std::string readingText(const ReadingReport& report);
 
 /// "00:28", "1:02:03" from an hour on.
 [[nodiscard]] std::string clockText(double seconds);

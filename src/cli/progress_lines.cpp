@@ -4,16 +4,40 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/progress.h"
 #include "cli/values.h"
 
 namespace fluidymation::cli {
 namespace {
+
+[[nodiscard]] const char* word(ReadingStage stage) {
+  switch (stage) {
+    case ReadingStage::kFilmMasks:
+      return "film masks";
+    case ReadingStage::kFilmMovement:
+      return "film movement";
+    case ReadingStage::kTargetMasks:
+      return "target masks";
+    case ReadingStage::kTargetMovement:
+      break;
+  }
+  return "target movement";
+}
 
 class JsonLines : public ProgressLines {
  public:
   JsonLines(std::ostream& out, RunPlace place) : out_(out), place_(std::move(place)) {}
 
   void readingBegins() override {}
+
+  void reading(const ReadingReport& report) override {
+    using Json = nlohmann::ordered_json;
+    Json object = {{"reading", word(report.stage)}, {"done", report.done}, {"count", report.count}};
+    if (!place_.layer.empty()) object["layer"] = place_.layer;
+    constexpr int kOneLine = -1;
+    out_ << object.dump(kOneLine, ' ', false, Json::error_handler_t::replace) + "\n" << std::flush;
+  }
+
   void paintingBegins(int /*frame*/, int /*frameCount*/) override {}
 
   void frameDone(const FrameReport& report) override {
@@ -43,6 +67,10 @@ class OpenJobDescriptionLines : public ProgressLines {
   void readingBegins() override {
     tell("progress", std::to_string(kPercent * place_.index / place_.count));
     tell("status", place_.label() + "reading the masks and the exemplar");
+  }
+
+  void reading(const ReadingReport& report) override {
+    tell("status", place_.label() + "reading the " + readingText(report));
   }
 
   void paintingBegins(int frame, int frameCount) override {

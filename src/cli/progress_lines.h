@@ -16,6 +16,8 @@ class ProgressLines {
   virtual ~ProgressLines() = default;
 
   virtual void readingBegins() = 0;
+  /// Called now and then, see `Throttle`.
+  virtual void reading(const ReadingReport& report) = 0;
   /// @param frame  to be painted first, from 0.
   virtual void paintingBegins(int frame, int frameCount) = 0;
   virtual void frameDone(const FrameReport& report) = 0;
@@ -32,6 +34,10 @@ class ProgressLines {
 ///   "seconds"  since the frame before was written
 ///   "layer"    its name, only where a shot is painted in layers; composited frames have none
 ///   "path"     the file; bytes that are not UTF-8 become U+FFFD
+/// and before the first one, while the inputs are read, now and then an object with
+///   "reading"  "film masks", "film movement", "target masks" or "target movement"
+///   "done"     frames of these
+///   "count"    of so many
 /// in UTF-8 and, like all JSON, without control characters: a name cannot break a line.
 ///
 /// kOpenJobDescription: "openjd_status: ", "openjd_progress: " with the percentage of the frames

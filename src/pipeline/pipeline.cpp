@@ -79,6 +79,17 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
   return true;
 }
 
+/// Asks whether to stop, and tells of each frame of a stage in turn.
+std::function<void()> countsReading(const Stopping& stopping, const Observer& observer,
+                                    ReadingStage stage, int count) {
+  return [&stopping, &observer, stage, count, done = 0]() mutable {
+    stopping.check();
+    // Hard masks that turn out to be soft are read twice
+    done = std::min(done + 1, count);
+    if (observer.reading) observer.reading({stage, done, count});
+  };
+}
+
 /// Makes the guides of the target's frames, with their ages where they are compared.
 std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
   return [&guides, withAges, ages = std::make_shared<TargetAges>()](int /*frame*/) {
@@ -145,35 +156,42 @@ void paintInOrder(const Options& given, const Observer& observer) {
   FrameForm form = formOf(options, inputs, observer, stopIfWanted);
   RunSize size = sizeOfRun(options, inputs);
   const FilmWindow window(options, inputs.color.files.count(), frameCount);
-  const auto settingFor = [&](std::int64_t& maskPixels) {
+  const auto settingFor = [&](std::int64_t& maskPixels, const std::function<void()>& beforeFlow) {
     GuideStreamSetting setting;
     setting.storage = {kWaitingBytes, run.files.folder()};
     setting.masksRead = [&](std::size_t mostPixels) {
       maskPixels = static_cast<std::int64_t>(mostPixels);
       requireMemory(options, size);
     };
-    setting.beforeFlow = stopIfWanted;
+    setting.beforeFlow = beforeFlow;
     return setting;
   };
-  GuideStreamSetting sourceSetting = settingFor(size.exemplarMaskPixels);
+  const auto counts = [&](ReadingStage stage, int count) {
+    return countsReading(stopping, observer, stage, count);
+  };
+  const int filmFrames = inputs.sourceMask.files.count();
+  const auto beforeFilmFlow = counts(ReadingStage::kFilmMovement, filmFrames);
+  const auto beforeTargetFlow = counts(ReadingStage::kTargetMovement, frameCount);
+  GuideStreamSetting sourceSetting = settingFor(size.exemplarMaskPixels, beforeFilmFlow);
   sourceSetting.keeps = !window.isWhole();
   GuideStream sourceGuides(
-      inputs.sourceMask.files.count(),
-      [&](int frame) {
-        stopIfWanted();
+      filmFrames,
+      [&, beforeMask = counts(ReadingStage::kFilmMasks, filmFrames)](int frame) {
+        beforeMask();
         return readMask(inputs.sourceMask, sourceChannel, frame);
       },
       guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, stopIfWanted), sourceSetting);
+      flowReader(inputs.sourceFlow, beforeFilmFlow), sourceSetting);
   requireMaterial(options, window, sourceGuides);
   GuideStream guides(
       frameCount,
-      [&](int frame) {
-        stopIfWanted();
+      [&, beforeMask = counts(ReadingStage::kTargetMasks, frameCount)](int frame) {
+        beforeMask();
         return readMask(inputs.target, targetChannel, frame);
       },
       guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, stopIfWanted), settingFor(size.targetMaskPixels));
+      flowReader(inputs.targetFlow, beforeTargetFlow),
+      settingFor(size.targetMaskPixels, beforeTargetFlow));
   tell(observer, memoryNote(options, size));
   tellOfEmptyTarget(observer, options, guides);
   const bool withAges = comparesAges(options, guides, observer);

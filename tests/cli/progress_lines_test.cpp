@@ -60,6 +60,29 @@ TEST(ProgressLines, ShareThePercentageAmongLayers) {
             "openjd_status: composite: frame 2 of 2 is written: c.png\n");
 }
 
+TEST(ProgressLines, TellsWhatIsReadBeforeTheFirstFrame) {
+  const std::vector<ReadingReport> reports = {{ReadingStage::kFilmMasks, 3, 20},
+                                              {ReadingStage::kFilmMovement, 4, 20},
+                                              {ReadingStage::kTargetMasks, 12, 400},
+                                              {ReadingStage::kTargetMovement, 400, 400}};
+  std::ostringstream json;
+  std::ostringstream status;
+  for (const ReadingReport& report : reports) {
+    progressLines(ProgressFormat::kJson, json)->reading(report);
+    progressLines(ProgressFormat::kOpenJobDescription, status)->reading(report);
+  }
+  EXPECT_EQ(json.str(),
+            "{\"reading\":\"film masks\",\"done\":3,\"count\":20}\n"
+            "{\"reading\":\"film movement\",\"done\":4,\"count\":20}\n"
+            "{\"reading\":\"target masks\",\"done\":12,\"count\":400}\n"
+            "{\"reading\":\"target movement\",\"done\":400,\"count\":400}\n");
+  EXPECT_EQ(status.str(),
+            "openjd_status: reading the masks of the exemplar: 3 of 20\n"
+            "openjd_status: reading the movement of the exemplar: 4 of 20\n"
+            "openjd_status: reading the masks of the animation: 12 of 400\n"
+            "openjd_status: reading the movement of the animation: 400 of 400\n");
+}
+
 TEST(ProgressLines, JsonIsValidForAnyFileName) {
   std::string everyByte;
   for (int byte = 1; byte <= 255; ++byte) everyByte += static_cast<char>(byte);

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "cli/throttle.h"
 
 namespace fluidymation::cli {
 namespace {
@@ -49,6 +54,48 @@ TEST(Progress, EveryLineOfARunAmongSeveralSaysWhichItIs) {
     progress.allDone();
     EXPECT_EQ(out.str(), expected);
   }
+}
+
+TEST(Progress, ReadingShowsOnATerminalOnly) {
+  const auto shown = [](Progress::Style style) {
+    std::ostringstream out;
+    Progress progress(out, style);
+    progress.readingBegins();
+    progress.reading({ReadingStage::kTargetMasks, 12, 400});
+    progress.finishLine();
+    return out.str();
+  };
+  EXPECT_EQ(shown(Progress::Style::kTerminal),
+            "\rreading the masks and the exemplar ...\x1b[K"
+            "\rreading the masks of the animation: 12 of 400 ...\x1b[K\n");
+  EXPECT_EQ(shown(Progress::Style::kPlain), "");
+  EXPECT_EQ(shown(Progress::Style::kQuiet), "");
+}
+
+/// A clock that a test sets.
+struct SetClock {
+  using duration = std::chrono::milliseconds;
+  using rep = duration::rep;
+  using period = duration::period;
+  using time_point = std::chrono::time_point<SetClock>;
+  static time_point now() { return time_point(time); }
+  static duration time;
+};
+SetClock::duration SetClock::time{0};
+
+TEST(Progress, AThrottleLetsThroughOnceInAPause) {
+  using std::chrono::milliseconds;
+  SetClock::time = milliseconds{1000};
+  Throttle<SetClock> throttle(milliseconds{200});
+  std::vector<int> through;
+  for (int ms = 0; ms <= 1000; ms += 50) {
+    SetClock::time = milliseconds{1000 + ms};
+    if (throttle.isDue()) through.push_back(ms);
+  }
+  EXPECT_EQ(through, (std::vector<int>{200, 400, 600, 800, 1000}));
+  SetClock::time = milliseconds{2300};
+  EXPECT_TRUE(throttle.isDue());
+  EXPECT_FALSE(throttle.isDue());
 }
 
 TEST(Progress, AFileGetsOnePlainLinePerFrame) {

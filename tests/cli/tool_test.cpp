@@ -60,6 +60,14 @@ TEST(Tool, PassesTheOptionsAndReportsFramesOnStderr) {
             "to look at them: fluidymation preview, the same options, and --preview FILE.apng\n");
 }
 
+TEST(Tool, ReadingThatIsDoneSoonIsNotToldOf) {
+  const auto reads = [](const Options&, const Observer& observer) {
+    for (int i = 1; i <= 400; ++i) observer.reading({ReadingStage::kTargetMasks, i, 400});
+  };
+  EXPECT_EQ(run({"--progress", "json"}, reads).out, "");
+  EXPECT_EQ(run({}, reads).err, "");
+}
+
 TEST(Tool, LinesForProgramsGoToStdoutAndNotesStayOnStderr) {
   const auto noteAndFrame = [](const Options&, const Observer& observer) {
     observer.note("one frame");
