@@ -2,7 +2,7 @@
 # Looks for input that breaks a promise: builds the fuzzers of tests/fuzz with address and undefined
 # behaviour sanitizers and runs them one after the other, from the committed corpora on.
 # Usage: scripts/fuzz.sh [TARGET...] [--minutes N]
-#   TARGET     png, flow, pattern, options, state or manifest (default: all)
+#   TARGET     png, flow, pattern, options, state, manifest or config (default: all)
 #   --minutes  for each target, of wall-clock time (default 5)
 # What is found lies in output/fuzz/TARGET/finds; copied to tests/fuzz/finds/TARGET, every test run tries
 # it again. What the runs have learned stays in output/fuzz/TARGET/corpus for the next ones. Prints one
@@ -14,13 +14,13 @@ targets=()
 while [ $# -gt 0 ]; do
   case $1 in
     --minutes) minutes=${2:?--minutes: the number is missing}; shift ;;
-    png | flow | pattern | options | state | manifest) targets+=("$1") ;;
-    *) echo "scripts/fuzz.sh: $1: wanted png, flow, pattern, options, state, manifest or --minutes N" >&2; exit 2 ;;
+    png | flow | pattern | options | state | manifest | config) targets+=("$1") ;;
+    *) echo "scripts/fuzz.sh: $1: wanted png, flow, pattern, options, state, manifest, config or --minutes N" >&2; exit 2 ;;
   esac
   shift
 done
 [[ $minutes =~ ^[1-9][0-9]*$ ]] || { echo "scripts/fuzz.sh: --minutes $minutes: wanted a whole number" >&2; exit 2; }
-[ ${#targets[@]} -gt 0 ] || targets=(png flow pattern options state manifest)
+[ ${#targets[@]} -gt 0 ] || targets=(png flow pattern options state manifest config)
 
 scripts/install_packages.sh build test check
 cmake --preset fuzz

@@ -23,7 +23,7 @@ struct Config {
 /// Reads a config file: a line for each option, `border-width = 12`, strings in quotes, `#` before
 /// comments (the part of TOML without sections that CLI11 reads, a line at a time). Or the manifest
 /// of a run, which is told by the brace that it begins with.
-/// @throws Error naming the file where it cannot be read, is larger than a megabyte or no manifest;
+/// @throws Error naming the file where it cannot be read (`configSource`) or is no manifest;
 ///   UsageError naming file and line (of a manifest, the key) where an option is unknown, not for
 ///   files, given twice or has no value.
 [[nodiscard]] Config readConfig(const std::string& path, const std::vector<Spec>& table);

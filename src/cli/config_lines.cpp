@@ -2,14 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 
+#include "cli/config_source.h"
 #include "cli/nearest.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
@@ -17,7 +15,6 @@
 namespace fluidymation::cli {
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;  // all options with the longest paths take 64 KiB
 constexpr const char* kBlanks = " \t\r";
 
 [[nodiscard]] std::string trimmed(const std::string& text) {
@@ -71,18 +68,7 @@ constexpr const char* kBlanks = " \t\r";
 }  // namespace
 
 std::string configTextOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const int reason = errno;
-  if (!file) {
-    throw Error(path + ": cannot be opened (" + std::generic_category().message(reason) + ")");
-  }
-  std::string text(kMostBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  if (file.bad() || (file.fail() && !file.eof())) {
-    throw Error(path + ": cannot be read; wanted a config file");
-  }
-  if (text.size() > kMostBytes) throw Error(path + ": is too large; wanted a config file");
+  std::string text = configSource(path);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
   if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) {
     text.erase(0, kByteOrderMark.size());

@@ -9,7 +9,8 @@ namespace fluidymation::cli {
 
 // How config files are read, a line at a time: what those of a run and of layers have in common.
 
-/// The whole of a small text file. @throws Error naming it.
+/// The whole of a small text file or of a pipe (`configSource`), without a byte order mark.
+/// @throws Error naming it; Interrupted.
 [[nodiscard]] std::string configTextOf(const std::string& path);
 
 /// A line that says something, without blanks round it and without a comment.

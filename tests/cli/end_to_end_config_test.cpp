@@ -1,9 +1,13 @@
 // Options from files, folders and ranges, with the real program.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "support/small_scene.h"
 
@@ -30,6 +34,52 @@ TEST(EndToEndConfig, AManifestIsReplayedToTheSameBytes) {
     EXPECT_EQ(filesOf(scene.file("again")), painting);
     EXPECT_NE(scene.painting(), painting);
   }
+}
+
+TEST(EndToEndConfig, APipeIsReadToItsEndAndNeverWaitedForInVain) {
+  const SmallScene scene;
+  const std::string pipe = scene.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto painting = [&pipe](const ToolOptions& more) {
+    ToolOptions options = changed({{"--config", pipe}, {"--quiet", ""}});
+    options.insert(more.begin(), more.end());
+    return argumentsOf(options);
+  };
+  ProcessSetup setup;
+  setup.workingFolder = scene.file(".");
+  EXPECT_TRUE(failedWith(1, pipe + ": is a pipe that nobody writes into; wanted a config file",
+                         runProcess(FLUIDYMATION_PROGRAM, painting({}), setup)));
+
+  // A writer that says nothing is waited for, until a signal comes
+  const int silent = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(silent, 0);
+  std::vector<std::string> arguments = {"--preserve-status", "--signal=TERM", "0.5",
+                                        FLUIDYMATION_PROGRAM};
+  for (const std::string& argument : painting({})) arguments.push_back(argument);
+  const ProcessResult stopped = runProcess("/usr/bin/timeout", arguments, setup);
+  close(silent);
+  EXPECT_EQ(stopped.exitCode, 143) << stopped.err;
+  EXPECT_EQ(stopped.err, "fluidymation: interrupted while " + pipe + " was read\n");
+  EXPECT_LT(stopped.seconds, 10.0);
+
+  // One that takes its time is heard out, also where the shell names the pipe
+  const std::string slowly = "(sleep 0.3; echo 'seed = 5'; sleep 0.3; echo 'lambda = 1')";
+  std::string command = slowly + " | " + FLUIDYMATION_PROGRAM;
+  for (const std::string& argument :
+       argumentsOf(changed({{"--config", "/dev/stdin"}, {"--quiet", ""}}))) {
+    command += " '" + argument + "'";
+  }
+  const ProcessResult result = runProcess("/bin/sh", {"-c", command}, setup);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(filesOf(scene.file("out")), scene.painting({{"--seed", "5"}, {"--lambda", "1"}}));
+}
+
+TEST(EndToEndConfig, WhatIsNeitherAFileNorAPipeIsRefused) {
+  const SmallScene scene;
+  EXPECT_TRUE(failedWith(1, "/dev/zero: is no regular file; wanted a config file",
+                         scene.paint({{"--config", "/dev/zero"}})));
+  EXPECT_TRUE(
+      failedWith(1, "src: is a folder; wanted a config file", scene.paint({{"--config", "src"}})));
 }
 
 TEST(EndToEndConfig, WhatIsPrintedPaintsTheSame) {

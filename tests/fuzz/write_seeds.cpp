@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "checkpoint/manifest.h"
+#include "cli/config_file.h"
+#include "cli/painter_syntax.h"
 #include "state_example.h"
 #include "support/png_maker.h"
 
@@ -154,6 +156,26 @@ void writeManifests(const fs::path& folder) {
         bytesOf(R"({"program":"fluidymation","format":1e300,"version":"\ud83d\ude00"})"));
 }
 
+void writeConfigs(const fs::path& folder) {
+  const cli::CommandLine defaults;
+  write(folder / "all.toml", bytesOf(cli::configText(cli::painterSyntax().table, defaults)));
+  write(folder / "values.toml",
+        bytesOf("# a shot\r\nsrc-path = \"s, #1/%d.png\"\nborder-width=12 # px\n"
+                "opt-iterations = [4, 2]\npatchmatch-iterations = 5,3\nquiet = true\n"
+                "src-range = '3-9x2'\n\tseed = 18446744073709551615\nmax-memory = 4G\n"));
+  write(folder / "faults.toml",
+        bytesOf("[section]\nborder-width\nno-such = 1\nseed =\nopt-iterations = [4,\nlambda = "
+                "\"1\nsrc-path = \"a\" \"b\"\n"));
+  Manifest manifest;
+  manifest.fingerprint = stateFingerprint();
+  manifest.paths = {{"--src-path", "s/%d.png"}, {"--out-path", "out/%05d.png"}};
+  write(folder / "manifest.json", encode(manifest));
+  for (const std::string line : {"border-width = 12", "opt-iterations = [4, 2]",
+                                 "src-path = \"a # b\" # c", "= 1", "\xEF\xBB\xBFseed = 1"}) {
+    write(folder / ("line" + std::to_string(line.size())), bytesOf(line + "\n"));
+  }
+}
+
 }  // namespace
 }  // namespace fluidymation::fuzz
 
@@ -170,5 +192,6 @@ int main(int argc, char** argv) {
   fuzz::writeOptions(corpus / "options");
   fuzz::writeStates(corpus / "state");
   fuzz::writeManifests(corpus / "manifest");
+  fuzz::writeConfigs(corpus / "config");
   return 0;
 }
