@@ -1,6 +1,7 @@
 #include "pipeline/existing_frames.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -17,6 +18,9 @@ namespace fluidymation {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kWhatToDo =
+    "; wanted --overwrite to replace, --skip-existing to keep what is there, or another --out-path";
 
 /// Also for a link that leads nowhere: it would be replaced.
 [[nodiscard]] bool isThere(const std::string& path) {
@@ -53,30 +57,35 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-void requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
-                      const StartingPoint& start, const std::function<void()>& beforeEach) {
-  if (options.existing == ExistingFrames::kReplace || start.state) return;
-  if ((options.resume || options.restart) && wasStopped(run.files)) return;
-  const FrameSpan span = start.span;
+DoubtfulFrames requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
+                                const StartingPoint& start,
+                                const std::function<void()>& beforeEach) {
+  const bool stopped = wasStopped(run.files);
+  if (options.existing == ExistingFrames::kReplace || (options.restart && stopped)) return {};
   const std::map<std::string, Digest> painted = paintedFrames(run.files);
-  std::string first;
-  int others = 0;
-  for (int j = span.begin; j < span.end; ++j) {
+  DoubtfulFrames others;
+  for (int j = start.span.begin; j < start.span.end; ++j) {
     const std::string& path = run.framePaths[at(j)];
     if (!isThere(path)) continue;
     const auto known = painted.find(fs::path(path).filename().string());
     beforeEach();
-    if (known != painted.end() && digestOfFile(path) == known->second) continue;
-    others += first.empty() ? 0 : 1;
-    if (first.empty()) first = path;
+    if (known == painted.end() || digestOfFile(path) != known->second) others.insert(j);
   }
-  if (first.empty()) return;
-  throw Error(first + ": is there already, and not as a run that is recorded there has painted it" +
-              (others == 0
-                   ? ""
-                   : (others == 1 ? "; so is " : "; so are ") + std::to_string(others) + " more") +
-              "; wanted --overwrite to replace, --skip-existing to keep what is there, or another "
-              "--out-path");
+  if (start.state || (options.resume && stopped)) return others;
+  if (others.empty()) return {};
+  const std::size_t more = others.size() - 1;
+  throw Error(
+      run.framePaths[at(*others.begin())] +
+      ": is there already, and not as a run that is recorded there has painted it" +
+      (more == 0 ? "" : (more == 1 ? "; so is " : "; so are ") + std::to_string(more) + " more") +
+      kWhatToDo);
+}
+
+void requireSame(const std::string& path, const Digest& digest) {
+  if (!isThere(path)) return;
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored) && digestOfFile(path) == digest) return;
+  throw Error(path + ": is there already, and not as this run paints it" + kWhatToDo);
 }
 
 std::vector<Options> runsForMissingFrames(const Options& given, const Observer& observer) {

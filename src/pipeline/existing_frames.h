@@ -1,22 +1,36 @@
 #pragma once
 
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "fluidymation/io/digest.h"
 #include "fluidymation/options.h"
 #include "fluidymation/pipeline.h"
 #include "pipeline/starting_point.h"
 
 namespace fluidymation {
 
+/// Frames that may be replaced only by the same bytes, by their place in the sequence.
+using DoubtfulFrames = std::set<int>;
+
 /// Makes sure that a run replaces no picture that somebody else has made, or has worked on: files
-/// with names of frames that are going to be painted must be as the manifest beside them says. What
-/// goes on from a state replaces what the run that left it had begun, as `--resume` and `--restart`
-/// do where a run was stopped before it saved one; ExistingFrames::kReplace replaces anything.
+/// with names of frames that are going to be painted must be as the manifest beside them says, but
+/// for those that `--restart` finds where a run was stopped; ExistingFrames::kReplace replaces
+/// anything.
 /// @param beforeEach  called before each file that is read.
-/// @throws Error naming the first such file and how many there are.
-void requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
-                      const StartingPoint& start, const std::function<void()>& beforeEach);
+/// @return  frames that the manifest does not know where the run goes on from a state, or with
+///   `--resume` where one was stopped before it saved one. What was written after the last state
+///   is not recorded; the same run paints the same bytes once more, see `requireSame`.
+/// @throws Error naming the first file that must not be replaced and how many there are.
+[[nodiscard]] DoubtfulFrames requireOwnFrames(const ContinuationOptions& options,
+                                              const RunIdentity& run, const StartingPoint& start,
+                                              const std::function<void()>& beforeEach);
+
+/// @param digest  of what is going to be written there.
+/// @throws Error naming the file where there is one with other bytes.
+void requireSame(const std::string& path, const Digest& digest);
 
 /// For ExistingFrames::kKeep: runs that paint the frames that are wanted and not there, those that
 /// follow one another together. None where all are there.

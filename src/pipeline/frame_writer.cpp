@@ -47,14 +47,17 @@ FrameWriter::Pixels FrameWriter::pixelsOf(const Image<Lab>& picture,
 }
 
 Digest FrameWriter::write(const std::string& path, const Image<Lab>& picture,
-                          const GuideFrame& guides) {
+                          const GuideFrame& guides,
+                          const std::function<void(const Digest&)>& beforeWriting) {
   Pixels output = pixelsOf(picture, guides);
   if (lastFile_.empty() || !looksAlike(output, last_)) {
     lastFile_ = encode_(output);
     last_ = std::move(output);
   }
+  const Digest digest = digestOf(lastFile_.data(), lastFile_.size());
+  if (beforeWriting) beforeWriting(digest);
   writeAtomically(path, lastFile_);
-  return digestOf(lastFile_.data(), lastFile_.size());
+  return digest;
 }
 
 }  // namespace fluidymation

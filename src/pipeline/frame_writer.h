@@ -40,9 +40,11 @@ class FrameWriter {
   ~FrameWriter() = default;
 
   /// @param guides  mask and coverage of the frame.
+  /// @param beforeWriting  is told what the file is going to be; may throw to leave it as it is.
   /// @return  of the file.
   /// @throws Error naming the file that cannot be written.
-  Digest write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides);
+  Digest write(const std::string& path, const Image<Lab>& picture, const GuideFrame& guides,
+               const std::function<void(const Digest&)>& beforeWriting = {});
 
  private:
   [[nodiscard]] Pixels pixelsOf(const Image<Lab>& picture, const GuideFrame& guides) const;

@@ -147,7 +147,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
   StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
   tell(observer, start.note);
   if (start.span.begin == start.span.end) return;
-  requireOwnFrames(options.continuation, run, start, stopIfWanted);
+  const DoubtfulFrames doubtful = requireOwnFrames(options.continuation, run, start, stopIfWanted);
   const auto countWritten = [&](int j) {  // all before frame j
     stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
   };
@@ -226,7 +226,10 @@ void paintInOrder(const Options& given, const Observer& observer) {
     return painted;
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
-    const Digest digest = writer.write(outPaths[at(j)], painted.picture, painted.guides);
+    const Digest digest =
+        writer.write(outPaths[at(j)], painted.picture, painted.guides, [&](const Digest& written) {
+          if (doubtful.count(j) != 0) requireSame(outPaths[at(j)], written);
+        });
     if (dumps) {
       const std::string folder = dumpFolder(options, "target");
       dumpGuides(folder, numbers[at(j)], painted.guides);

@@ -42,6 +42,36 @@ TEST(EndToEndExisting, WhatWasWorkedOnAfterTheRunIsNotReplacedByGoingOnOrRestart
   }
 }
 
+TEST(EndToEndExisting, GoingOnReplacesNothingButWhatItPaintsItself) {
+  const SmallScene scene;
+  const SmallScene::Painting all = scene.painting({{"--checkpoint-every", "1"}});
+  const auto painted = [&scene](const ToolOptions& more) {
+    ToolOptions options = quietly(more);
+    options["--checkpoint-every"] = "1";
+    return scene.paint(options);
+  };
+  for (const ToolOptions& goingOn :
+       {ToolOptions{{"--resume", ""}}, ToolOptions{{"--render-frames", "3-4"}}}) {
+    SCOPED_TRACE(goingOn.begin()->first);
+    scene.remove("out");
+    EXPECT_EQ(painted({{"--render-frames", "1-2"}}).exitCode, 0);
+    // As painted after the last state was saved, and by somebody else
+    scene.write("out/00003.png", all.at("00003.png"));
+    scene.write("out/00004.png", kPicture);
+    EXPECT_TRUE(failedWith(1,
+                           "out/00004.png: is there already, and not as this run paints it; wanted "
+                           "--overwrite to replace, --skip-existing to keep what is there, or "
+                           "another --out-path",
+                           painted(goingOn)));
+    EXPECT_EQ(scene.read("out/00004.png"), kPicture);
+    EXPECT_EQ(scene.read("out/00003.png"), all.at("00003.png"));
+    EXPECT_EQ(painted({{"--skip-existing", ""}}).exitCode, 0);
+    EXPECT_EQ(scene.read("out/00004.png"), kPicture);
+    EXPECT_EQ(painted({{"--resume", ""}, {"--overwrite", ""}}).exitCode, 0);
+    EXPECT_EQ(filesOf(scene.file("out")), all);
+  }
+}
+
 TEST(EndToEndExisting, APictureWithoutAManifestIsNotReplaced) {
   const SmallScene scene;
   scene.write("out/00004.png", kPicture);
