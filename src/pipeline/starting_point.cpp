@@ -203,15 +203,18 @@ void requireDecision(const RunIdentity& run, FrameSpan wanted,
   if (manifest && manifest->complete) return;
   const std::optional<FoundState> state = newestState(run, wanted);
   if (!state) return;
-  const auto numberOf = [&run](int frame) { return std::to_string(run.numbers[at(frame)]); };
   const std::string count = std::to_string(run.frameCount());
   if (state->partBegin) {
+    const auto between = [&run](int begin, int end, const char* separator) {
+      // Of an animation that is played or painted backwards too, the smaller number comes first
+      const auto [low, high] = std::minmax(run.numbers[at(begin)], run.numbers[at(end - 1)]);
+      return std::to_string(low) + separator + std::to_string(high);
+    };
     const int begin = *state->partBegin;
     throw Error(run.files.hiddenFolder() +
                 ": holds the state of a part that was painted by itself, frames " +
-                numberOf(begin) + " to " + numberOf(state->painted - 1) +
-                "; wanted --render-frames " + numberOf(begin) + "-" +
-                numberOf(run.frameCount() - 1) +
+                between(begin, state->painted, " to ") + "; wanted --render-frames " +
+                between(begin, run.frameCount(), "-") +
                 " --resume to go on with it, or --restart to discard it and paint all " + count);
   }
   if (!state->checkpoint) throw Error(state->fault + "; " + kRestartHint);
