@@ -143,7 +143,7 @@ ExitCode layersCommand(int argc, const char* const* argv, const Streams& streams
       streams.err << "fluidymation: note: " + oneLine(text) + "\n" << std::flush;
     }
   };
-  checkLayers(request.shot, {note, {}, isCancelled, {}});
+  checkLayers(request.shot, {note, {}, isCancelled, {}, {}});
   const std::size_t count = request.shot.layers.size();
   for (std::size_t i = 0; i < count; ++i) paintLayer(request, i, streams, stopSignal);
   const Engine composite = [&](const Options&, const Observer& observer) {

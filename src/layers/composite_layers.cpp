@@ -141,7 +141,7 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
   StartingPoint start;
   start.span = {0, count};
   start.known = FrameRecords(layers.numbers.size());
-  requireOwnFrames(shot.continuation, run, start, stopIfWanted);
+  const DoubtfulFrames doubtful = requireOwnFrames(shot.continuation, run, start, stopIfWanted);
   createFolder(run.files.folder());
   checkFolderWritable(run.files.folder());
   const std::string note = lock.take();
@@ -156,8 +156,10 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
     stopping.check();
     const int number = layers.numbers[at(j)];
     const std::vector<std::uint8_t> file = composite(shot, layers, number, bottom, content);
+    const Digest digest = digestOf(file.data(), file.size());
+    if (doubtful.count(j) != 0) requireSame(run.framePaths[at(j)], digest);
     writeAtomically(run.framePaths[at(j)], file);
-    journal.frameWritten(j, digestOf(file.data(), file.size()), nullptr);
+    journal.frameWritten(j, digest, nullptr);
     stopping.setWritten(j + 1, count);
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> seconds = now - std::exchange(before, now);
