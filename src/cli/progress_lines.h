@@ -29,7 +29,7 @@ class ProgressLines {
 ///
 /// kJson: of each frame written an object with
 ///   "frame"    its number in the animation, as in file names
-///   "index"    its place in the sequence, from 0
+///   "index"    its place in the sequence, in the order of painting, from 0
 ///   "count"    places up to the last frame to be painted
 ///   "seconds"  since the frame before was written
 ///   "layer"    its name, only where a shot is painted in layers; composited frames have none

@@ -31,7 +31,11 @@ void keepWaitingThreadsFromSpinning(char* const* argv) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return;
-  for (const Setting& setting : kSettings) setenv(setting.name, setting.value, 0);
+  // The loader, where it was started with this program as its argument
+  if (program.filename().string().rfind("ld-", 0) == 0) return;
+  for (const Setting& setting : kSettings) {
+    if (setenv(setting.name, setting.value, 0) != 0) return;  // else this would begin anew for ever
+  }
   // NOLINTEND(concurrency-mt-unsafe)
   execv(program.c_str(), argv);  // returns only where it fails; then threads wait as they always do
 }

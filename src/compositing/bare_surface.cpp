@@ -89,12 +89,25 @@ void fillSmoothly(Image<Rgb>& colors, const Image<float>& weights) {
   return steps;
 }
 
+/// Summed up in double: the sum of a large picture has no room for single pixels in float.
+[[nodiscard]] Rgb meanOf(const Image<Rgb>& image) {
+  double r = 0.0;
+  double g = 0.0;
+  double b = 0.0;
+  for (const Rgb color : image) {
+    r += static_cast<double>(color.r);
+    g += static_cast<double>(color.g);
+    b += static_cast<double>(color.b);
+  }
+  const double share = 1.0 / static_cast<double>(image.pixelCount());
+  return {static_cast<float>(share * r), static_cast<float>(share * g),
+          static_cast<float>(share * b)};
+}
+
 /// With the mean colour everywhere, as far as structures larger than some pixels go.
 [[nodiscard]] Image<Rgb> withoutShading(const Image<Rgb>& image) {
   Image<Rgb> result = shadingOf(image);
-  Rgb mean;
-  for (const Rgb color : result) mean = plus(mean, color);
-  mean = times(1.0F / static_cast<float>(result.pixelCount()), mean);
+  const Rgb mean = meanOf(result);
   for (std::size_t i = 0; i < result.pixelCount(); ++i) {
     result.data()[i] = plus(mean, minus(image.data()[i], result.data()[i]));
   }

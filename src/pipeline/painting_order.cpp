@@ -11,6 +11,7 @@
 #include "pipeline/memory_limit.h"
 #include "pipeline/sequence_guides.h"
 #include "pipeline/stopping.h"
+#include "pipeline/thread_count.h"
 
 namespace fluidymation {
 namespace {
@@ -18,13 +19,17 @@ namespace {
 /// Whether the target turns out to be lines being drawn. Masks that lose material, those of nearly
 /// all animations, tell without being smoothed and without any flow.
 [[nodiscard]] bool drawsLines(const Options& given, const Observer& observer) {
+  const ThreadCount threads(given.threads);
   const Inputs inputs = openInputs(given, Observer{});
   const int frameCount = inputs.target.files.count();
   const Stopping stopping(observer, frameCount);
   const auto stopIfWanted = [&] { stopping.check(); };
   const MaskChannel channel = maskChannel(inputs.target, stopIfWanted);
-  const auto readTarget = [&](int frame) {
-    stopIfWanted();
+  const auto counts = [&](ReadingStage stage) {
+    return countsReading(stopping, observer, stage, frameCount);
+  };
+  const auto readTarget = [&, beforeMask = counts(ReadingStage::kTargetMasks)](int frame) {
+    beforeMask();
     return readMask(inputs.target, channel, frame);
   };
   Growth growth;
@@ -41,7 +46,7 @@ namespace {
     size.targetMaskPixels = static_cast<std::int64_t>(mostPixels);
     requireMemory(options, size);
   };
-  setting.beforeFlow = stopIfWanted;
+  setting.beforeFlow = counts(ReadingStage::kTargetMovement);
   return GuideStream(frameCount, readTarget,
                      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
                      flowReader(inputs.targetFlow, stopIfWanted), setting)

@@ -79,17 +79,6 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
   return true;
 }
 
-/// Asks whether to stop, and tells of each frame of a stage in turn.
-std::function<void()> countsReading(const Stopping& stopping, const Observer& observer,
-                                    ReadingStage stage, int count) {
-  return [&stopping, &observer, stage, count, done = 0]() mutable {
-    stopping.check();
-    // Hard masks that turn out to be soft are read twice
-    done = std::min(done + 1, count);
-    if (observer.reading) observer.reading({stage, done, count});
-  };
-}
-
 /// Makes the guides of the target's frames, with their ages where they are compared.
 std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
   return [&guides, withAges, ages = std::make_shared<TargetAges>()](int /*frame*/) {

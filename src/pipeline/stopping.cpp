@@ -1,5 +1,6 @@
 #include "pipeline/stopping.h"
 
+#include <algorithm>
 #include <string>
 
 #include "fluidymation/core/error.h"
@@ -33,6 +34,16 @@ void paintSavingState(RunJournal& journal, const std::function<void()>& paint) {
     throw;
   }
   journal.finish();
+}
+
+std::function<void()> countsReading(const Stopping& stopping, const Observer& observer,
+                                    ReadingStage stage, int count) {
+  return [&stopping, &observer, stage, count, done = 0]() mutable {
+    stopping.check();
+    // Hard masks that turn out to be soft are read twice
+    done = std::min(done + 1, count);
+    if (observer.reading) observer.reading({stage, done, count});
+  };
 }
 
 }  // namespace fluidymation

@@ -30,6 +30,13 @@ class Stopping {
   int written_ = 0;
 };
 
+/// To be called before each frame of a stage in turn: asks whether to stop, and tells the observer
+/// how far the stage has come. What it is given must outlive what it returns.
+/// @throws Interrupted, when called.
+[[nodiscard]] std::function<void()> countsReading(const Stopping& stopping,
+                                                  const Observer& observer, ReadingStage stage,
+                                                  int count);
+
 /// Lets a frame be dropped at the beginning of any of its stages.
 class StopAtStages : public StageObserver {
  public:

@@ -92,6 +92,7 @@ void ExemplarLevel::setExtents(int x, int y, int k, Vec2 extentsPx) {
 
 void ExemplarLevel::dropFirst(int count) {
   assert(0 <= count && count <= frameCount_);
+  if (count == 0) return;
   const auto drop = [](auto& volume, std::size_t dropped) {
     if (volume.empty()) return;
     std::move(volume.begin() + static_cast<std::ptrdiff_t>(dropped), volume.end(), volume.begin());
@@ -193,6 +194,7 @@ void Exemplar::finish(ExtentUnit unit) {
 }
 
 void Exemplar::advance(int count) {
+  if (count == 0) return;
   firstFrame_ += count;
   const int dropped = std::min(count, frameCount());
   for (ExemplarLevel& level : levels_) level.dropFirst(dropped);

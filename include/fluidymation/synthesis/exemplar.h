@@ -188,7 +188,8 @@ class Exemplar {
   /// (`FilmExtents`), so that it is the same whichever part is held.
   void setExtentScale(const ExtentScale& scale);
 
-  /// Fill frame k; colour and guides of every frame must be set once before `finish`, in any order.
+  /// Fill frame k; colour and guides of every frame must be set once before `finish`, guides in
+  /// their order.
   void setColor(int frame, const Image<Lab>& color);
   void setGuides(int frame, const GuideFrame& guides);
   /// Where the guides hold ages, in all frames or in none, they are compared in the place of the

@@ -64,6 +64,15 @@ TEST(BareSurface, FillsInWhatWasNeverBare) {
   EXPECT_LT(worst, 0.15);  // shading within 0.1, and the grain elsewhere; a blot is off by 0.6
 }
 
+TEST(BareSurface, KeepsItsBrightnessHoweverLargeItIs) {
+  constexpr Size kLarge{2048, 1536};  // 3 million pixels
+  constexpr float kValue = 0.895F;
+  BareSurface surface(kLarge);
+  surface.add(Image<Rgb>(kLarge, {kValue, kValue, kValue}), Image<float>(kLarge));
+  const Image<Rgb> larger = surface.spread({kLarge.width + 8, kLarge.height + 8});
+  for (const Rgb color : larger) ASSERT_NEAR(color.g, kValue, 1e-4F);
+}
+
 TEST(BareSurface, KnowsNothingUnderMasksThatCoverAll) {
   BareSurface surface(kSize);
   surface.add(Image<Rgb>(kSize), Image<float>(kSize, 1.0F));

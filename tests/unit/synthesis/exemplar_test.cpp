@@ -54,6 +54,9 @@ bool sameBytes(const T& a, const T& b) {
   }
   for (const auto& [one, other] : {std::pair{&a.accForward(k), &b.accForward(l)},
                                    std::pair{&a.accBackward(k), &b.accBackward(l)}}) {
+    if (one->size() != other->size() || one->pixelCount() == 0) {
+      return ::testing::AssertionFailure() << "size of the accumulated motion";
+    }
     if (std::memcmp(one->data(), other->data(), one->pixelCount() * sizeof(Vec2)) != 0) {
       return ::testing::AssertionFailure() << "accumulated motion";
     }
