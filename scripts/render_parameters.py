@@ -31,8 +31,6 @@ PAIRS = {
     "rust-horse": ("rust", "horse", ["--target-scale", "0.4", "--blur-sigma", "2", "--mask-threshold", "0.45",
                                      "--border-width", "8"]),
     "ink-squiggle": ("ink", "squiggle", ["--target-scale", "0.4"]),
-    "rust-squiggle": ("rust", "squiggle", ["--target-scale", "0.4", "--blur-sigma", "2", "--mask-threshold", "0.45"]),
-    "watercolour-sunflower": ("watercolour", "sunflower", ["--target-scale", "0.6", "--border-width", "10"]),
 }
 
 
@@ -55,7 +53,6 @@ def values(option, *each):
 
 HORSE = (0.14, 0.1, 0.9, 0.86)
 HEAD = (0.55, 0.12, 0.9, 0.6)
-HEAD_OF_FLOWER = (0.1, 0.02, 0.9, 0.55)
 NECK = (0.56, 0.25, 0.74, 0.45)
 STRIPS_TO_MAKE = {
     # film and sizes
@@ -78,8 +75,6 @@ STRIPS_TO_MAKE = {
     "coherence-weight": Strip("rust-horse", values("--coherence-weight", 0, 8, 200), "1-4", cut=NECK, enlarged=4),
     "lambda": Strip("watercolour-horse", values("--lambda", 0, 2, 200), "1-4", cut=HORSE),
     "tex-weight": Strip("watercolour-horse", values("--tex-weight", 0.01, 1, 100), "1-4", cut=HORSE),
-    # time
-    "prev-weight": Strip("watercolour-sunflower", values("--prev-weight", 0, 1, 30), "30-36", frames=(35, 36), cut=HEAD_OF_FLOWER),
     # effort
     "opt-iterations": Strip("rust-horse", (["--opt-iterations", "0"], ["--opt-iterations", "4,3,2"],
                                            ["--opt-iterations", "12"]), "1-4", cut=HEAD, enlarged=2),
