@@ -32,8 +32,10 @@ OF_OTHERS = {"--signal", "--cpus-per-task"}
 
 def markdown_files(root):
     """Every Markdown file of the project, but for what builds and runs have left."""
-    left = {"build", "output", ".git"}
-    return [p for p in sorted(root.rglob("*.md")) if not left & set(p.relative_to(root).parts)]
+    def is_left(path):
+        return any(part in ("build", "output") or part.startswith(".") for part in path.relative_to(root).parts)
+
+    return [path for path in sorted(root.rglob("*.md")) if not is_left(path)]
 
 
 def without_fences(text):
