@@ -138,7 +138,7 @@ def check_options(root, files, program):
     known = known_options(program) | script_options(root) | OF_OTHERS
     faults = []
     for path in files:
-        for number, code in commands_and_spans(path.read_text(encoding="utf-8")):
+        for number, code in sorted(commands_and_spans(path.read_text(encoding="utf-8"))):
             if OTHERS.search(code) and "fluidymation " not in code:
                 continue
             faults += [f"{path.relative_to(root)}:{number}: {option}: fluidymation has no such option"
