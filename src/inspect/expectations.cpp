@@ -151,7 +151,7 @@ void tellOfSpeed(const KnownRun& run, std::vector<std::string>& lines) {
   const int step = std::min(wanted, exemplarFrames / kFewestFrames);
   if (step > 1)
     line += ", or speed the exemplar up with --src-speed " + std::to_string(run.sourceSpeed * step);
-  lines.push_back(line + ", or try --prev-weight 2");
+  lines.push_back(line + ", or try --preset calm");
 }
 
 void tellOfJumps(const KnownRun& run, std::vector<std::string>& lines) {

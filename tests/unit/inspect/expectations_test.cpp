@@ -137,7 +137,7 @@ TEST(Expectations, TellAnimationsThatAreTooFast) {
               }),
               {"animation: its edges move by 12.0 to 20.0 px a frame in frames 102-111 (10 of 20), "
                "those of the exemplar by 2.0",
-               "--src-speed 2", "--prev-weight 2"});
+               "--src-speed 2", "--preset calm"});
   expectParts(lineAfter([](KnownRun& run) { run.exemplar = calm(0.0); }),
               {"exemplar: its masks stand still"});
 }
