@@ -13,8 +13,9 @@ namespace fluidymation {
 RunLock::~RunLock() {
   const bool wasTaken = lock_.has_value();
   lock_.reset();
-  if (wasTaken && !unfinished_)
+  if (wasTaken && removesFolder_) {
     rmdir(files_.hiddenFolder().c_str());  // fails where something is in it
+  }
 }
 
 void RunLock::takeIfUsed() {
@@ -24,6 +25,7 @@ void RunLock::takeIfUsed() {
 
 std::string RunLock::take() {
   const bool isFresh = !lock_;
+  if (isFresh) removesFolder_ = true;
   do createFolder(files_.hiddenFolder());
   while (!lock_ && !lockIfThere());
   if (isFresh && !files_.states().empty()) {

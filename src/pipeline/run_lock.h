@@ -15,7 +15,8 @@ class RunLock {
   explicit RunLock(RunFiles files) : files_(std::move(files)) {}
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
-  /// Frees the lock; the hidden folder goes where nothing is in it, unless frames are unfinished.
+  /// Frees the lock. A hidden folder with nothing in it goes where this run has made it or has
+  /// painted all it wanted; one that was found stays as a run before has left it.
   ~RunLock();
 
   /// Takes the lock where another run may have been before, and creates nothing elsewhere.
@@ -32,7 +33,7 @@ class RunLock {
   /// Whether frames are at work. A run that ends while they are leaves the hidden folder even where
   /// it could not save anything in it: the next one sees from it that these frames are no pictures
   /// of somebody else's.
-  void setUnfinished(bool unfinished) { unfinished_ = unfinished; }
+  void setUnfinished(bool unfinished) { removesFolder_ = !unfinished; }
 
  private:
   /// @return  whether the folder is there: the run that made it may just have removed it.
@@ -40,7 +41,7 @@ class RunLock {
 
   RunFiles files_;
   std::optional<FileLock> lock_;
-  bool unfinished_ = false;
+  bool removesFolder_ = false;
 };
 
 }  // namespace fluidymation

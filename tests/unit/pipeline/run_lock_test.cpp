@@ -34,5 +34,49 @@ TEST(RunLockTest, TakesStatesThatWereThereBefore) {
   EXPECT_TRUE(std::filesystem::exists(files.lock()));
 }
 
+/// Whether a run that ends as `finish` has it leaves the hidden folder of a run before, empty but
+/// for the lock, where it was.
+template <typename Finish>
+bool leavesFoundFolder(const Finish& finish) {
+  const test::TemporaryFolder folder;
+  const RunFiles files(FramePattern(folder.file("%d.png")));
+  std::filesystem::create_directory(files.hiddenFolder());
+  {
+    RunLock lock(files);
+    lock.takeIfUsed();
+    finish(lock);
+  }
+  return std::filesystem::exists(files.hiddenFolder());
+}
+
+TEST(RunLockTest, LeavesWhatARunBeforeHasLeftUntilAllIsPainted) {
+  // A run that is refused, one that ends before it paints, one that is stopped, one that paints all
+  EXPECT_TRUE(leavesFoundFolder([](RunLock& /*lock*/) {}));
+  EXPECT_TRUE(leavesFoundFolder([](RunLock& lock) { (void)lock.take(); }));
+  EXPECT_TRUE(leavesFoundFolder([](RunLock& lock) {
+    (void)lock.take();
+    lock.setUnfinished(true);
+  }));
+  EXPECT_FALSE(leavesFoundFolder([](RunLock& lock) {
+    (void)lock.take();
+    lock.setUnfinished(true);
+    lock.setUnfinished(false);
+  }));
+}
+
+TEST(RunLockTest, RemovesAFolderThatItMadeUnlessFramesAreUnfinished) {
+  const test::TemporaryFolder folder;
+  const RunFiles files(FramePattern(folder.file("%d.png")));
+  for (const bool unfinished : {false, true}) {
+    {
+      RunLock lock(files);
+      lock.takeIfUsed();
+      (void)lock.take();
+      if (unfinished) lock.setUnfinished(true);
+    }
+    EXPECT_EQ(std::filesystem::exists(files.hiddenFolder()), unfinished);
+  }
+}
+
 }  // namespace
 }  // namespace fluidymation
