@@ -2,9 +2,11 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <tuple>
 
 #include "io/png_reader.h"
@@ -79,6 +81,18 @@ void parse(png_structp png, png_infop info, Parsed& parsed) {
          std::memcmp(parsed.profile + kColorSpace, "RGB ", 4) == 0;
 }
 
+/// Whether a name is as the PNG specification wants keywords: printable Latin-1, no space at either
+/// end, nor two of them together. libpng reads others, and refuses or changes them when it writes.
+[[nodiscard]] bool isKeyword(const std::string& name) {
+  constexpr std::size_t kMostBytes = 79;
+  const auto isPrintable = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte >= 0x20 && byte <= 0x7E) || byte >= 0xA1;
+  };
+  return !name.empty() && name.size() <= kMostBytes && name.front() != ' ' && name.back() != ' ' &&
+         name.find("  ") == std::string::npos && std::all_of(name.begin(), name.end(), isPrintable);
+}
+
 }  // namespace
 
 bool operator==(const ColorChunks& a, const ColorChunks& b) {
@@ -123,7 +137,9 @@ FoundColorChunks readColorChunks(const std::string& path) {
   };
   ColorChunks& chunks = found.chunks;
   take(present.profile, isOfRgb(parsed), "iCCP", [&] {
-    chunks.profile = {parsed.profileName, {parsed.profile, parsed.profile + parsed.profileBytes}};
+    const std::string name = parsed.profileName;
+    chunks.profile = {isKeyword(name) ? name : kUnnamedProfile,
+                      {parsed.profile, parsed.profile + parsed.profileBytes}};
   });
   // A profile says it all, and may not stand beside an sRGB chunk
   take(present.srgb, parsed.hasIntent && !chunks.profile, "sRGB",

@@ -8,11 +8,15 @@
 
 namespace fluidymation {
 
+/// Name of a profile whose own is no PNG keyword, such as one of blanks: no file may hold it, and
+/// it says nothing about colours.
+inline constexpr const char* kUnnamedProfile = "ICC profile";
+
 /// What a PNG file says about the meaning of its colour values: chunks sRGB, gAMA, cHRM and iCCP.
 /// Values are those of the PNG specification.
 struct ColorChunks {
   struct Profile {
-    std::string name;                 ///< 1 to 79 bytes of Latin-1
+    std::string name;                 ///< a PNG keyword: 1 to 79 printable bytes of Latin-1
     std::vector<std::uint8_t> bytes;  ///< ICC profile, unpacked
   };
 
@@ -41,7 +45,8 @@ struct FoundColorChunks {
 
 /// Reads the chunks before a PNG file's pixels. They are those of the values that `readPng` gives:
 /// where it undoes an exponent, the gamma found is sRGB's, 45455. Where sRGB or iCCP were stored,
-/// values are as they were. A profile that unpacks to more than 4 MB is refused.
+/// values are as they were. A profile that unpacks to more than 4 MB is refused; one with a bad
+/// name is found as `kUnnamedProfile`.
 /// @throws Error naming the file, as `readPng` does for what comes before the pixels.
 [[nodiscard]] FoundColorChunks readColorChunks(const std::string& path);
 

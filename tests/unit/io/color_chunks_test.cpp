@@ -7,6 +7,7 @@
 #include <array>
 #include <cstring>
 #include <random>
+#include <string>
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/png.h"
@@ -58,8 +59,9 @@ Bytes deflated(const Bytes& bytes) {
   return packed;
 }
 
-PngChunk profileChunk(const Bytes& profile) {
-  Bytes data = {'f', 'i', 'l', 'm', 0, 0};
+PngChunk profileChunk(const Bytes& profile, const std::string& name = "film") {
+  Bytes data(name.begin(), name.end());
+  data.insert(data.end(), {0, 0});  // the name's end, and how the profile is packed
   const Bytes packed = deflated(profile);
   data.insert(data.end(), packed.begin(), packed.end());
   return {"iCCP", data};
@@ -158,6 +160,23 @@ TEST_F(ColorChunksTest, WhatIsDamagedOrOfOtherPicturesIsRefusedByName) {
   const FoundColorChunks both = found({{"sRGB", {0}}, profileChunk(profileOf("RGB "))});
   EXPECT_EQ(both.refused, "iCCP, sRGB") << "only one of them may be there";
   EXPECT_EQ(both.chunks, ColorChunks{});
+}
+
+TEST_F(ColorChunksTest, AProfileWhoseNameMayNotBeWrittenGetsAnother) {
+  const Bytes profile = profileOf("RGB ");
+  const std::string longest(79, 'x');
+  for (const std::string& name :
+       {std::string("a b"), std::string("caf\xE9"), std::string("~"), longest}) {
+    EXPECT_EQ(found({profileChunk(profile, name)}).chunks.profile->name, name);
+  }
+  for (const char* name : {" ", "   ", " a", "a ", "a  b", "a\tb", "a\x7F", "a\x80", "a\xA0"}) {
+    const FoundColorChunks first = found({profileChunk(profile, name)});
+    EXPECT_EQ(first.refused, "") << name;
+    ASSERT_TRUE(first.chunks.profile) << name;
+    EXPECT_EQ(first.chunks.profile->name, kUnnamedProfile);
+    EXPECT_EQ(first.chunks.profile->bytes, profile);
+    EXPECT_EQ(writtenAndRead(first.chunks).chunks, first.chunks) << name;
+  }
 }
 
 TEST_F(ColorChunksTest, AProfileThatUnpacksToTooMuchIsRefused) {
