@@ -16,6 +16,7 @@ enum class ProgressFormat { kHuman, kJson, kOpenJobDescription };
 struct CommandLine {
   Options options;
   ProgressFormat progress = ProgressFormat::kHuman;
+  bool progressIsGiven = false;  ///< `progress`, be it the default's value
   PreviewOptions preview;
   std::string preset = "standard";  ///< the last one applied; the options hold what it set
   bool threadsAreGiven = false;     ///< or found from the machine

@@ -45,7 +45,7 @@ void applyCommandLine(const CommandLine& told, CommandLine& line) {
   line.options.continuation.existing = continuation.existing;
   if (told.threadsAreGiven) line.options.threads = told.options.threads;
   if (told.options.maxMemoryBytes) line.options.maxMemoryBytes = told.options.maxMemoryBytes;
-  line.progress = told.progress != ProgressFormat::kHuman ? told.progress : line.progress;
+  if (told.progressIsGiven) line.progress = told.progress;
   line.quiet = line.quiet || told.quiet;
 }
 

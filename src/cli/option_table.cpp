@@ -310,6 +310,7 @@ void addRunning(Table& table) {
        false,
        [](CommandLine& line, const std::string& value) {
          line.progress = parseWord("--progress", value, progressFormats());
+         line.progressIsGiven = true;
        },
        [](const CommandLine& line) {
          return std::optional<std::string>(wordFor(progressFormats(), line.progress));

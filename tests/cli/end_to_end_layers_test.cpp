@@ -26,9 +26,11 @@ class LayeredShotTest : public ::testing::Test {
     writeShot("");
   }
 
-  /// @param more  lines of the upper layer.
-  void writeShot(const std::string& more) const {
-    scene_.write("shot.toml", bytesOf("out-path = \"shot/%05d.png\"\n"
+  /// @param more    lines of the upper layer.
+  /// @param shared  lines above the layers.
+  void writeShot(const std::string& more, const std::string& shared = "") const {
+    scene_.write("shot.toml", bytesOf(shared +
+                                      "out-path = \"shot/%05d.png\"\n"
                                       "background = \"exemplar\"\n"
                                       "src-path = \"src/%05d.png\"\n"
                                       "src-mask-path = \"mask/%05d.png\"\n"
@@ -105,6 +107,17 @@ TEST_F(LayeredShotTest, SaysWhichLayerIsPainted) {
     ASSERT_NE(found, std::string::npos) << line << result.err;
     place = found;
   }
+}
+
+TEST_F(LayeredShotTest, TellsHumansWhereTheCommandLineSaysSoAndTheFileElse) {
+  writeShot("", "progress = \"json\"\n");
+  const ProcessResult asFile = run();
+  ASSERT_EQ(asFile.exitCode, 0) << asFile.err;
+  EXPECT_EQ(asFile.out.find("{"), 0U) << asFile.out;
+  const ProcessResult told = run({"--progress", "human"});
+  ASSERT_EQ(told.exitCode, 0) << told.err;
+  EXPECT_EQ(told.out, "");
+  EXPECT_NE(told.err.find("composite: frame 3 of 3  "), std::string::npos) << told.err;
 }
 
 TEST_F(LayeredShotTest, AfterAKillAnywhereGoesOnToTheSameBytes) {

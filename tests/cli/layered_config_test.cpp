@@ -107,6 +107,16 @@ TEST(LayeredConfig, LetsTheCommandLinePrevail) {
   EXPECT_EQ(ShotFile(text).shot(told).shot.layers[0].options.threads, 3);
 }
 
+TEST(LayeredConfig, LetsTheCommandLinesProgressPrevailWhateverItIs) {
+  const ShotFile file(std::string(kShared) + "progress = \"json\"\n[layer.a]\n");
+  CommandLine told;
+  EXPECT_EQ(file.shot(told).composite.progress, ProgressFormat::kJson);
+  EXPECT_EQ(file.shot(told).lines[0].progress, ProgressFormat::kJson);
+  told.progressIsGiven = true;
+  EXPECT_EQ(file.shot(told).composite.progress, ProgressFormat::kHuman);
+  EXPECT_EQ(file.shot(told).lines[0].progress, ProgressFormat::kHuman);
+}
+
 TEST(LayeredConfig, NamesTheLineOfWhatIsWrongInALayer) {
   EXPECT_EQ(faultOf("[layer.a]\n\nborder-with = 12\n"),
             "line 7: border-with: there is no such option; did you mean border-width?");
