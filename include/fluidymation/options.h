@@ -211,6 +211,9 @@ struct ContinuationOptions {
   bool keepStates = false;  ///< keep all of them, for `render`
   ExistingFrames existing = ExistingFrames::kOwn;
   std::optional<FrameNumbers> render;  ///< the only frames to be painted
+  /// What to do about frames that must not be replaced, for messages: "wanted " and this.
+  std::string waysOut =
+      "--overwrite to replace, --skip-existing to keep what is there, or another --out-path";
 };
 
 /// Bits of a channel of the painted frames.

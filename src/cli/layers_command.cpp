@@ -37,12 +37,17 @@ namespace {
           std::move(table), "SHOT.toml"};
 }
 
+/// Instead of those of `ContinuationOptions`, which layers lack.
+constexpr const char* kWaysOut =
+    "--overwrite to replace, or another out-path above the first layer";
+
 /// What the command line says about every run.
 void applyCommandLine(const CommandLine& told, CommandLine& line) {
   const ContinuationOptions& continuation = told.options.continuation;
   line.options.continuation.resume = continuation.resume;
   line.options.continuation.restart = continuation.restart;
   line.options.continuation.existing = continuation.existing;
+  line.options.continuation.waysOut = kWaysOut;
   if (told.threadsAreGiven) line.options.threads = told.options.threads;
   if (told.options.maxMemoryBytes) line.options.maxMemoryBytes = told.options.maxMemoryBytes;
   if (told.progressIsGiven) line.progress = told.progress;

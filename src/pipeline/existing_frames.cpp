@@ -19,9 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kWhatToDo =
-    "; wanted --overwrite to replace, --skip-existing to keep what is there, or another --out-path";
-
 /// Also for a link that leads nowhere: it would be replaced.
 [[nodiscard]] bool isThere(const std::string& path) {
   std::error_code ignored;
@@ -78,14 +75,14 @@ DoubtfulFrames requireOwnFrames(const ContinuationOptions& options, const RunIde
       run.framePaths[at(*others.begin())] +
       ": is there already, and not as a run that is recorded there has painted it" +
       (more == 0 ? "" : (more == 1 ? "; so is " : "; so are ") + std::to_string(more) + " more") +
-      kWhatToDo);
+      "; wanted " + options.waysOut);
 }
 
-void requireSame(const std::string& path, const Digest& digest) {
+void requireSame(const std::string& path, const Digest& digest, const std::string& waysOut) {
   if (!isThere(path)) return;
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored) && digestOfFile(path) == digest) return;
-  throw Error(path + ": is there already, and not as this run paints it" + kWhatToDo);
+  throw Error(path + ": is there already, and not as this run paints it; wanted " + waysOut);
 }
 
 std::vector<Options> runsForMissingFrames(const Options& given, const Observer& observer) {

@@ -29,8 +29,9 @@ using DoubtfulFrames = std::set<int>;
                                               const std::function<void()>& beforeEach);
 
 /// @param digest  of what is going to be written there.
+/// @param waysOut  as `ContinuationOptions` has them.
 /// @throws Error naming the file where there is one with other bytes.
-void requireSame(const std::string& path, const Digest& digest);
+void requireSame(const std::string& path, const Digest& digest, const std::string& waysOut);
 
 /// For ExistingFrames::kKeep: runs that paint the frames that are wanted and not there, those that
 /// follow one another together. None where all are there.

@@ -217,7 +217,9 @@ void paintInOrder(const Options& given, const Observer& observer) {
   stages.write = [&](int j, const PaintedFrame& painted) {
     const Digest digest =
         writer.write(outPaths[at(j)], painted.picture, painted.guides, [&](const Digest& written) {
-          if (doubtful.count(j) != 0) requireSame(outPaths[at(j)], written);
+          if (doubtful.count(j) != 0) {
+            requireSame(outPaths[at(j)], written, options.continuation.waysOut);
+          }
         });
     if (dumps) {
       const std::string folder = dumpFolder(options, "target");

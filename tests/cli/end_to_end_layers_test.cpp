@@ -176,6 +176,24 @@ TEST_F(LayeredShotTest, ResumedAfterAChangePaintsWhatHasChangedOnly) {
   EXPECT_FALSE(painted()[0] == before[0]);
 }
 
+TEST_F(LayeredShotTest, OffersNoWayOutThatLayersLack) {
+  ASSERT_EQ(run({"--quiet"}).exitCode, 0);
+  for (const char* folder : {"shot", "shot/layers/low"}) {
+    const std::string frame = SmallScene::frame(folder, 2);
+    const Bytes painted = scene_.read(frame);
+    scene_.write(frame, scene_.read(SmallScene::frame("target", 2)));
+    const ProcessResult result = run({"--quiet"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find(frame +
+                              ": is there already, and not as a run that is recorded there "
+                              "has painted it; wanted --overwrite to replace, or another out-path "
+                              "above the first layer\n"),
+              std::string::npos)
+        << result.err;
+    scene_.write(frame, painted);
+  }
+}
+
 TEST_F(LayeredShotTest, PaintsNothingWhereAnyLayerIsWrong) {
   scene_.remove("back");
   const ProcessResult result = run({"--quiet"});
