@@ -54,10 +54,24 @@ class OutputFiles {
                      ", too; choose another --out-path");
   }
 
+  /// @throws UsageError where the layer dumps into a folder of another one's dump.
+  void addDump(const Layer& layer) {
+    if (!layer.options.dumpGuidesDirectory) return;
+    for (const char* sequence : {"source", "target"}) {
+      const std::string folder = dumpFolder(layer.options, sequence);
+      const auto [known, isNew] = dumpers_.emplace(canonical(folder).string(), layer.name);
+      if (isNew) continue;
+      throw UsageError("layer " + layer.name + ": --dump-guides " +
+                       *layer.options.dumpGuidesDirectory + ": " + folder +
+                       " is written by layer " + known->second + ", too; choose another folder");
+    }
+  }
+
  private:
   const LayeredShot& shot_;
   const ProtectedFiles& inputs_;
   std::map<std::string, std::string> owners_;
+  std::map<std::string, std::string> dumpers_;  ///< layers by the folders of their dumps
 };
 
 void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
@@ -68,6 +82,7 @@ void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
     std::vector<std::string> paths;
     inLayer(layer.name, [&] { paths = checkOutput(layer.options, layers.inputs[i]); });
     for (const std::string& path : paths) files.add("layer " + layer.name, path);
+    files.addDump(layer);
   }
   const FramePattern pattern(shot.outPath);
   for (const int number : layers.numbers) files.add("--out-path", pattern.path(number));

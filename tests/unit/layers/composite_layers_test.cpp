@@ -220,6 +220,18 @@ TEST_F(Layers, WriteNoFileThatIsReadOrWrittenElsewhere) {
   EXPECT_NE(fault().find("is the picture of --background"), std::string::npos);
 }
 
+TEST_F(Layers, DumpIntoFoldersOfTheirOwn) {
+  const auto fault = [&] { return messageOf<UsageError>([&] { checkLayers(shot_, {}); }); };
+  shot_.layers[0].options.dumpGuidesDirectory = scene_.file("dump");
+  EXPECT_EQ(fault(), "");
+  shot_.layers[1].options.dumpGuidesDirectory = scene_.file("other");
+  EXPECT_EQ(fault(), "");
+  const std::string same = scene_.file("shot/../dump");
+  shot_.layers[1].options.dumpGuidesDirectory = same;
+  EXPECT_EQ(fault(), "layer high: --dump-guides " + same + ": " + same +
+                         "/source is written by layer low, too; choose another folder");
+}
+
 TEST_F(Layers, StopWhereTheyAreAskedToAndGoOn) {
   compositeLayers(shot_, {});
   const SmallScene::Painting whole = test::filesOf(scene_.file("shot"));
