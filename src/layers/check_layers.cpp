@@ -31,22 +31,27 @@ namespace {
   return patterns;
 }
 
+/// The pictures of backgrounds.
+[[nodiscard]] std::vector<std::string> inputFiles(const LayeredShot& shot,
+                                                  const LayerInputs& layers) {
+  std::vector<std::string> files;
+  if (layers.background) files.push_back(*shot.background);
+  for (std::size_t i = 0; i < shot.layers.size(); ++i) {
+    if (layers.inputs[i].background) files.push_back(*shot.layers[i].options.background);
+  }
+  return files;
+}
+
 /// Files that are to be written, and who writes them.
 class OutputFiles {
  public:
-  OutputFiles(const LayeredShot& shot, const ProtectedFiles& inputs)
-      : shot_(shot), inputs_(inputs) {}
+  explicit OutputFiles(const ProtectedFiles& inputs) : inputs_(inputs) {}
 
   /// @throws UsageError where `path` is read, or written by another one.
   void add(const std::string& owner, const std::string& path) {
     if (inputs_.contains(path)) {
       throw UsageError(owner + ": " + path +
                        " is an input and would be overwritten; choose another --out-path");
-    }
-    if (shot_.background && canonical(path) == canonical(*shot_.background)) {
-      throw UsageError(owner + ": " + path +
-                       " is the picture of --background and would be overwritten; choose another "
-                       "--out-path");
     }
     const auto [known, isNew] = owners_.emplace(canonical(path).string(), owner);
     if (isNew) return;
@@ -68,19 +73,18 @@ class OutputFiles {
   }
 
  private:
-  const LayeredShot& shot_;
   const ProtectedFiles& inputs_;
   std::map<std::string, std::string> owners_;
   std::map<std::string, std::string> dumpers_;  ///< layers by the folders of their dumps
 };
 
 void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
-  const ProtectedFiles inputs(inputPatterns(shot.layers));
-  OutputFiles files(shot, inputs);
+  const ProtectedFiles inputs(inputPatterns(shot.layers), inputFiles(shot, layers));
+  OutputFiles files(inputs);
   for (std::size_t i = 0; i < shot.layers.size(); ++i) {
     const Layer& layer = shot.layers[i];
     std::vector<std::string> paths;
-    inLayer(layer.name, [&] { paths = checkOutput(layer.options, layers.inputs[i]); });
+    inLayer(layer.name, [&] { paths = checkOutput(layer.options, layers.inputs[i], inputs); });
     for (const std::string& path : paths) files.add("layer " + layer.name, path);
     files.addDump(layer);
   }

@@ -72,6 +72,9 @@ namespace {
                          {"--bit-depth", shot.bitDepth == BitDepth::k16 ? "16" : "8"},
                          {"--compression-level", std::to_string(shot.compressionLevel)}};
   fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
+  if (layers.background) {
+    fingerprint.inputs.push_back({kBackgroundOption, {{0, digestOfFile(*shot.background)}}});
+  }
   return {RunFiles(pattern), layers.numbers, std::move(paths), std::move(fingerprint), {}};
 }
 
@@ -133,9 +136,10 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
                   Stopping& stopping) {
   const auto stopIfWanted = [&stopping] { stopping.check(); };
   const auto count = static_cast<int>(layers.numbers.size());
+  // Digests first: a background that is replaced meanwhile is noticed when it is read.
+  const RunIdentity run = identityOf(shot, layers, stopIfWanted);
   const Image<Rgba> bottom = bottomOf(shot, layers, stopIfWanted);
   const PngContent content{shot.background.has_value(), chunksOf(shot, layers, observer)};
-  const RunIdentity run = identityOf(shot, layers, stopIfWanted);
   RunLock lock(run.files);
   lock.takeIfUsed();
   StartingPoint start;

@@ -63,6 +63,9 @@ LayerInputs openLayers(const LayeredShot& shot) {
   }
   layers.numbers = shotFrames(layers.frames);
   layers.size = layers.inputs.front().target.scaled;
+  if (shot.background && !layerOfBackground(shot)) {
+    layers.background = openBackground("--background", *shot.background);
+  }
   return layers;
 }
 
@@ -84,8 +87,11 @@ Image<Rgba> bottomOf(const LayeredShot& shot, const LayerInputs& layers,
   Image<Rgba> bottom(layers.size, Rgba{0.0F, 0.0F, 0.0F, 0.0F});
   if (!shot.background) return bottom;
   const std::optional<std::size_t> film = layerOfBackground(shot);
-  const Image<Rgb> picture = backdrop("--background", film ? kExemplarSurface : *shot.background,
-                                      layers.inputs[film.value_or(0)], layers.size, beforeFile);
+  Inputs noFilm;
+  noFilm.background = layers.background;
+  const Image<Rgb> picture =
+      backdrop("--background", film ? kExemplarSurface : *shot.background,
+               film ? layers.inputs[*film] : noFilm, layers.size, beforeFile);
   std::transform(picture.begin(), picture.end(), bottom.begin(), [](Rgb color) {
     return Rgba{color.r, color.g, color.b, 1.0F};
   });

@@ -13,10 +13,11 @@ namespace fluidymation {
 
 /// What the files of all layers tell of a shot, as far as headers and folders do.
 struct LayerInputs {
-  std::vector<Inputs> inputs;       ///< of each layer
-  std::vector<LayerFrames> frames;  ///< likewise
-  std::vector<int> numbers;         ///< of the shot's frames
-  Size size;                        ///< of them all
+  std::vector<Inputs> inputs;                ///< of each layer
+  std::vector<LayerFrames> frames;           ///< likewise
+  std::vector<int> numbers;                  ///< of the shot's frames
+  Size size;                                 ///< of them all
+  std::optional<BackgroundFile> background;  ///< of the shot, where it is a file
 };
 
 /// Finds all files and reads all headers.

@@ -110,16 +110,19 @@ Inputs openInputs(const Options& options, const Observer& observer) {
                                            options.flowConvention, options.target, inputs.target);
     });
   }
-  if (options.background && isBackgroundFile(*options.background)) {
-    faults.did([&] {
-      requireBackground("--background", *options.background);
-      const FileIdentity identity = fileIdentityOf(*options.background);
-      inputs.background = {identity, readPngSize(*options.background)};
-    });
+  if (options.background) {
+    faults.did([&] { inputs.background = openBackground("--background", *options.background); });
   }
   faults.throwIfAny();
   requireMemory(options, sizeOfRun(options, inputs));  // in any case, whatever the masks hold
   return inputs;
+}
+
+std::optional<BackgroundFile> openBackground(const std::string& option, const std::string& text) {
+  if (!isBackgroundFile(text)) return std::nullopt;
+  requireBackground(option, text);
+  const FileIdentity identity = fileIdentityOf(text);
+  return BackgroundFile{identity, readPngSize(text)};
 }
 
 std::vector<FileIdentity> identitiesOf(const FrameFiles& files) {

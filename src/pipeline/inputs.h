@@ -38,7 +38,7 @@ struct FlowSequence {
   bool seenOnFrame = true;
 };
 
-/// The picture of `--background`, where it is a file.
+/// The picture of a background, where it is a file.
 struct BackgroundFile {
   FileIdentity identity;  ///< when the run began
   Size stored;
@@ -51,13 +51,19 @@ struct Inputs {
   InputSequence target;
   std::optional<FlowSequence> sourceFlow;
   std::optional<FlowSequence> targetFlow;
-  std::optional<BackgroundFile> background;
+  std::optional<BackgroundFile> background;  ///< of `--background`, or of what stands for it
 };
 
 /// Finds all files, reads all headers, and checks that they fit together and into memory.
 /// @throws Faults, one for each gap, file and size that is wrong in any of the sequences;
 /// UsageError naming the option.
 [[nodiscard]] Inputs openInputs(const Options& options, const Observer& observer);
+
+/// Of the file that `text` names; nothing where it is a colour or stands for the film's surface.
+/// @param option  which asks for it, for messages.
+/// @throws UsageError where it is neither and there is no such file; Error where it cannot be read.
+[[nodiscard]] std::optional<BackgroundFile> openBackground(const std::string& option,
+                                                           const std::string& text);
 
 /// Of all files, by their order; nothing of those that need not be there. @throws Error.
 [[nodiscard]] std::vector<FileIdentity> identitiesOf(const FrameFiles& files);

@@ -9,7 +9,6 @@
 #include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/frame_pattern.h"
 #include "pipeline/dump_name.h"
-#include "pipeline/protected_files.h"
 
 namespace fluidymation {
 namespace {
@@ -139,8 +138,12 @@ std::string dumpFolder(const Options& options, const std::string& sequence) {
 }
 
 std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs) {
+  return checkOutput(options, inputs, ProtectedFiles(options));
+}
+
+std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs,
+                                     const ProtectedFiles& protectedFiles) {
   const FramePattern pattern(options.outPath);
-  const ProtectedFiles protectedFiles(options);
   std::vector<std::string> paths;
   for (const int number : inputs.target.files.numbers) {
     paths.push_back(pattern.path(number));

@@ -5,6 +5,7 @@
 
 #include "fluidymation/options.h"
 #include "pipeline/inputs.h"
+#include "pipeline/protected_files.h"
 
 namespace fluidymation {
 
@@ -14,6 +15,10 @@ namespace fluidymation {
 /// @throws UsageError naming the option and the file; Error naming a folder or file that can
 ///   foreseeably not be written.
 [[nodiscard]] std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs);
+
+/// The same where more is to be protected than the run's own inputs.
+[[nodiscard]] std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs,
+                                                   const ProtectedFiles& protectedFiles);
 
 /// Creates the folders of the frames and of the dump, and makes sure that files can be written
 /// there. @throws Error naming folder or file.

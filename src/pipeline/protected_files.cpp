@@ -34,8 +34,10 @@ ProtectedFiles::ProtectedFiles(const Options& options) {
   if (options.background && isBackgroundFile(*options.background)) addFile(*options.background);
 }
 
-ProtectedFiles::ProtectedFiles(const std::vector<std::string>& patterns) {
+ProtectedFiles::ProtectedFiles(const std::vector<std::string>& patterns,
+                               const std::vector<std::string>& files) {
   for (const std::string& text : patterns) add(FramePattern(text));
+  for (const std::string& path : files) addFile(path);
 }
 
 bool ProtectedFiles::contains(const std::string& path) const {

@@ -23,8 +23,10 @@ class ProtectedFiles {
   /// Lists the folders of all input patterns.
   explicit ProtectedFiles(const Options& options);
 
-  /// The same for these patterns. @throws UsageError for what is none.
-  explicit ProtectedFiles(const std::vector<std::string>& patterns);
+  /// The same for these patterns, and single files that are there.
+  /// @throws UsageError for what is no pattern.
+  explicit ProtectedFiles(const std::vector<std::string>& patterns,
+                          const std::vector<std::string>& files = {});
 
   /// Whether writing `path` would replace one, under whatever name it is known.
   [[nodiscard]] bool contains(const std::string& path) const;

@@ -206,9 +206,10 @@ Preview::Preview(const Options& options, const PreviewOptions& preview,
   checkFolderCreatable(folderOf(preview.path));
   checkReplaceable(preview.path);
   Inputs inputs = openInputs(options, Observer{});
+  const std::string background = preview.background.value_or(kDefaultBackground);
+  inputs.background = openBackground("--preview-background", background);
   Image<Rgb> surface =
-      backdrop("--preview-background", preview.background.value_or(kDefaultBackground), inputs,
-               inputs.target.scaled, stopIfWanted);
+      backdrop("--preview-background", background, inputs, inputs.target.scaled, stopIfWanted);
   const auto [begin, end] = wantedFrames(options, inputs.target.files.numbers);
   content_ =
       std::make_unique<Content>(Content{std::move(inputs), FramePattern(options.outPath), preview,

@@ -1,12 +1,16 @@
 // Painted frames are made up here, so that every pixel of a composited one is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "checkpoint/manifest.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/io/digest.h"
 #include "fluidymation/layers.h"
 #include "fluidymation/verify.h"
 #include "support/small_scene.h"
@@ -217,7 +221,53 @@ TEST_F(Layers, WriteNoFileThatIsReadOrWrittenElsewhere) {
   black.background = "black";
   compositeLayers(black, {});
   shot_.background = scene_.file(SmallScene::frame("shot", 1));
-  EXPECT_NE(fault().find("is the picture of --background"), std::string::npos);
+  EXPECT_NE(fault().find("is an input and would be overwritten"), std::string::npos);
+}
+
+TEST_F(Layers, WriteNoFileThatIsTheirBackgroundUnderAnotherName) {
+  const std::string picture = scene_.file("wash.png");
+  writePng(picture, Image<Rgba8>(kSize, kRed));
+  shot_.background = picture;
+  const auto fault = [&] { return messageOf<UsageError>([&] { checkLayers(shot_, {}); }); };
+  EXPECT_EQ(fault(), "");
+  for (const char* folder : {"shot", "shot/layers/high"}) {
+    const std::string frame = scene_.file(SmallScene::frame(folder, 2));
+    std::filesystem::remove(frame);
+    std::filesystem::create_hard_link(picture, frame);
+    EXPECT_NE(fault().find(frame + " is an input and would be overwritten"), std::string::npos)
+        << fault();
+    std::filesystem::remove(frame);
+  }
+  shot_.layers[1].options.dumpGuidesDirectory = scene_.file("dump");
+  std::filesystem::create_directories(scene_.file("dump/source"));
+  std::filesystem::create_hard_link(picture, scene_.file("dump/source/00001.mask.png"));
+  EXPECT_NE(fault().find("00001.mask.png is an input and would be overwritten"), std::string::npos)
+      << fault();
+}
+
+TEST_F(Layers, RecordTheirBackgroundAndRefuseAnotherOne) {
+  const std::string picture = scene_.file("wash.png");
+  writePng(picture, Image<Rgba8>(kSize, kRed));
+  shot_.background = picture;
+  const Digest digest = digestOfFile(picture);
+  compositeLayers(shot_, {});
+  const std::vector<InputDigests> inputs =
+      readManifest(scene_.file("shot/fluidymation.json")).fingerprint.inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [](const InputDigests& input) {
+    return input.option == "--background";
+  });
+  ASSERT_NE(found, inputs.end());
+  ASSERT_EQ(found->files.size(), 1U);
+  EXPECT_EQ(found->files[0].digest, digest);
+  bool replaced = false;
+  Observer observer;
+  observer.cancelled = [&] {
+    if (!std::exchange(replaced, true)) writePng(picture, Image<Rgba8>(kSize, kVeil));
+    return false;
+  };
+  const std::string message = messageOf<Error>([&] { compositeLayers(shot_, observer); });
+  EXPECT_EQ(message.find(picture + ": "), 0U) << message;
+  expectPixel(pixel(kSize.width - 1, kSize.height - 1), kRed);
 }
 
 TEST_F(Layers, DumpIntoFoldersOfTheirOwn) {
