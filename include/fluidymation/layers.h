@@ -39,8 +39,9 @@ void checkLayers(const LayeredShot& shot, const Observer& observer);
 
 /// Lays the painted frames of all layers over each other and over the background, and writes them
 /// with a manifest of their own: of sRGB-encoded values, each pixel by its straight alpha (Porter
-/// and Duff's `over`). With a background the files have no alpha; about the meaning of colours they
-/// say what the lowest layer's do. One frame of one layer is in memory at a time.
+/// and Duff's `over`). With a background the files have no alpha; without one, transparent pixels
+/// near the paint have its colours, as those of any run; about the meaning of colours they say what
+/// the lowest layer's do. One frame of one layer is in memory at a time.
 /// @param observer  `frameDone`, `cancelled` and `note` are used.
 /// @throws Interrupted when `observer.cancelled` asked for it; Error naming the file.
 void compositeLayers(const LayeredShot& shot, const Observer& observer);

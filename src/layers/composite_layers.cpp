@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "compositing/color_margin.h"
 #include "compositing/over.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
@@ -83,7 +84,8 @@ namespace {
   return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost));
 }
 
-/// As files hold it. @param rounded  a value in [0, 1] as a channel of `Pixel`.
+/// As files hold it, with colours round the paint. @param rounded  a value in [0, 1] as a channel
+/// of `Pixel`.
 template <typename Pixel, typename Rounded>
 [[nodiscard]] Image<Pixel> pixelsOf(const Image<Rgba>& canvas, const Rounded& rounded) {
   Image<Pixel> pixels(canvas.size());
@@ -92,6 +94,7 @@ template <typename Pixel, typename Rounded>
     if (alpha == 0) return Pixel{};
     return Pixel{rounded(color.r), rounded(color.g), rounded(color.b), alpha};
   });
+  spreadColors(pixels);
   return pixels;
 }
 

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
+#include "compositing/color_margin.h"
 #include "compositing/over.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/parallel.h"
@@ -27,65 +27,6 @@ template <typename Color, typename Make>
     for (int x = 0; x < size.width; ++x) output(x, y) = pixel(x, y);
   });
   return output;
-}
-
-/// Calls `visit(x, y)` for the eight pixels round one, as far as they lie in the image.
-template <typename Visit>
-void forNeighbors(Size size, Pixel center, const Visit& visit) {
-  for (int y = std::max(center.y - 1, 0); y <= std::min(center.y + 1, size.height - 1); ++y) {
-    for (int x = std::max(center.x - 1, 0); x <= std::min(center.x + 1, size.width - 1); ++x) {
-      if (x != center.x || y != center.y) visit(x, y);
-    }
-  }
-}
-
-/// Gives transparent pixels near others their colours, ring by ring: the mean of those of the ring
-/// before that they touch.
-template <typename Color>
-void spreadColors(Image<Color>& image) {
-  const Size size = image.size();
-  constexpr std::uint8_t kUnknown = 255;
-  Image<std::uint8_t> ring(size, kUnknown);  // 0: painted
-  std::vector<Pixel> last;
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      if (image(x, y).a == 0) continue;
-      ring(x, y) = 0;
-      bool isEdge = false;
-      forNeighbors(size, {x, y}, [&](int nx, int ny) { isEdge = isEdge || image(nx, ny).a == 0; });
-      if (isEdge) last.push_back({x, y});
-    }
-  }
-  for (int number = 1; number <= kColorMarginPx; ++number) {
-    std::vector<Pixel> next;
-    for (const Pixel from : last) {
-      forNeighbors(size, from, [&](int x, int y) {
-        if (ring(x, y) != kUnknown) return;
-        ring(x, y) = static_cast<std::uint8_t>(number);
-        next.push_back({x, y});
-      });
-    }
-    for (const Pixel to : next) {
-      std::uint32_t r = 0;
-      std::uint32_t g = 0;
-      std::uint32_t b = 0;
-      std::uint32_t count = 0;
-      forNeighbors(size, to, [&](int x, int y) {
-        if (ring(x, y) >= number) return;
-        const Color& known = image(x, y);
-        r += known.r;
-        g += known.g;
-        b += known.b;
-        ++count;
-      });
-      using Channel = decltype(Color::r);
-      const auto mean = [count](std::uint32_t sum) {
-        return static_cast<Channel>((sum + count / 2) / count);
-      };
-      image(to.x, to.y) = {mean(r), mean(g), mean(b), 0};
-    }
-    last = std::move(next);
-  }
 }
 
 /// Of pixel (x, y), sRGB-encoded and not rounded.

@@ -7,13 +7,9 @@
 
 namespace fluidymation {
 
-/// How far colours go on past the paint, px: as far as bicubic scaling to half the size looks.
-inline constexpr int kColorMarginPx = 4;
-
 /// Straight alpha: painted, and as opaque as the shape covers the pixel; fully transparent where it
-/// does not. Up to `kColorMarginPx` from the paint, along x and y, transparent pixels have the
-/// colours of those nearest to it, so that programs that mix pixels without regard to alpha show no
-/// dark fringe; further out they are black.
+/// does not. Near the paint, transparent pixels have its colours (`spreadColors`); further out they
+/// are black.
 /// @param guides  mask and coverage of the frame.
 [[nodiscard]] Image<Rgba8> straightPixels8(const Image<Lab>& picture, const GuideFrame& guides,
                                            const SrgbByteEncoder& encoder);

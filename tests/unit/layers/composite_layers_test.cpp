@@ -100,6 +100,23 @@ TEST_F(Layers, LieOverEachOtherAndStayTransparentElsewhere) {
   }
 }
 
+TEST_F(Layers, GoOnInColourPastTheirEdgesWhereTheyStayTransparent) {
+  constexpr int kMargin = 4;
+  const int right = kSize.width / 2 + kMargin;  // red ends there, and the veil above
+  const int bottom = kSize.height - 1;
+  for (const BitDepth depth : {BitDepth::k8, BitDepth::k16}) {
+    shot_.bitDepth = depth;
+    compositeLayers(shot_, {});
+    for (int x = kSize.width / 2; x < right; ++x) {
+      expectPixel(pixel(x, bottom), {kRed.r, kRed.g, kRed.b, 0});
+    }
+    expectPixel(pixel(right, bottom), {0, 0, 0, 0});
+    const int below = kSize.height / 2 + kMargin;
+    expectPixel(pixel(kSize.width - 1, below - 1), {kVeil.r, kVeil.g, kVeil.b, 0});
+    expectPixel(pixel(kSize.width - 1, below), {0, 0, 0, 0});
+  }
+}
+
 TEST_F(Layers, LieInTheirOrder) {
   std::swap(shot_.layers[0], shot_.layers[1]);
   compositeLayers(shot_, {});
