@@ -7,7 +7,6 @@
 #include "cli/nearest.h"
 #include "cli/table_builder.h"
 #include "cli/values.h"
-#include "compositing/plain_background.h"
 #include "fluidymation/automatic.h"
 #include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"

@@ -88,6 +88,13 @@ float floatOf(std::uint32_t bits) {
 // an octave, and 67 bytes begin in the fullest octave, [0.5, 1]. None holds two beginnings.
 constexpr std::uint32_t kIntervalShift = 16;
 
+[[nodiscard]] int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
 }  // namespace
 
 float srgbDecode(float encoded) {
@@ -106,6 +113,24 @@ std::string colorText(Rgb8 color) {
     text += kDigits[channel % 16];
   }
   return text;
+}
+
+std::optional<Rgb> colorOf(const std::string& text) {
+  constexpr float kMiddle = 0.5F;
+  if (text == "white") return Rgb{1.0F, 1.0F, 1.0F};
+  if (text == "black") return Rgb{};
+  if (text == "gray") return Rgb{kMiddle, kMiddle, kMiddle};
+  if ((text.size() != 4 && text.size() != 7) || text[0] != '#') return std::nullopt;
+  const std::size_t digits = (text.size() - 1) / 3;
+  std::array<float, 3> channels{};
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const int high = hexDigit(text[1 + c * digits]);
+    const int low = hexDigit(text[1 + c * digits + digits - 1]);
+    if (high < 0 || low < 0) return std::nullopt;
+    constexpr float kWhite = 255.0F;
+    channels[c] = static_cast<float>(16 * high + low) / kWhite;
+  }
+  return Rgb{channels[0], channels[1], channels[2]};
 }
 
 Lab toLab(Rgb color) {
@@ -145,6 +170,11 @@ Image<Lab> toLab(const Image<Rgb>& image) {
 
 std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+
+std::uint16_t to16Bits(float value) {
+  constexpr float kMost = 65535.0F;
+  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost));
 }
 
 SrgbByteEncoder::SrgbByteEncoder() {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +21,7 @@
 #include "fluidymation/io/png.h"
 #include "fluidymation/layers.h"
 #include "layers/layer_inputs.h"
+#include "pipeline/backdrop.h"
 #include "pipeline/existing_frames.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
@@ -69,7 +69,7 @@ namespace {
   Fingerprint fingerprint;
   fingerprint.version = version();
   fingerprint.options = {{"layers", names},
-                         {"background", shot.background.value_or("none")},
+                         {"background", backgroundText(shot.background.value_or("none"))},
                          {"--bit-depth", shot.bitDepth == BitDepth::k16 ? "16" : "8"},
                          {"--compression-level", std::to_string(shot.compressionLevel)}};
   fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
@@ -77,11 +77,6 @@ namespace {
     fingerprint.inputs.push_back({kBackgroundOption, {{0, digestOfFile(*shot.background)}}});
   }
   return {RunFiles(pattern), layers.numbers, std::move(paths), std::move(fingerprint), {}};
-}
-
-[[nodiscard]] std::uint16_t to16Bits(float value) {
-  constexpr float kMost = 65535.0F;
-  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost));
 }
 
 /// As files hold it, with colours round the paint. @param rounded  a value in [0, 1] as a channel

@@ -1,6 +1,7 @@
 #include "pipeline/backdrop.h"
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "compositing/bare_surface.h"
@@ -29,6 +30,16 @@ namespace {
 
 bool isBackgroundFile(const std::string& text) {
   return !colorOf(text) && text != kExemplarSurface;
+}
+
+std::string backgroundText(const std::string& text) {
+  const std::optional<Rgb> color = colorOf(text);
+  if (!color) return text;
+  std::string bytes = colorText({toByte(color->r), toByte(color->g), toByte(color->b)});
+  const std::optional<Rgb> rounded = colorOf(bytes);
+  const bool isSame =
+      rounded && rounded->r == color->r && rounded->g == color->g && rounded->b == color->b;
+  return isSame ? bytes : text;
 }
 
 void requireBackground(const std::string& option, const std::string& text) {

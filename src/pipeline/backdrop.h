@@ -15,6 +15,10 @@ inline constexpr const char* kExemplarSurface = "exemplar";
 /// Whether a text that names a background is a file's name: no colour, and not the exemplar.
 [[nodiscard]] bool isBackgroundFile(const std::string& text);
 
+/// One text for each colour: "#ffffff" for "white" and "#FFF"; any other text as it is. So is
+/// "gray", which lies between two bytes.
+[[nodiscard]] std::string backgroundText(const std::string& text);
+
 /// @throws UsageError where the text is a file's name and there is none.
 void requireBackground(const std::string& option, const std::string& text);
 

@@ -163,7 +163,7 @@ OptionTexts shapingOptions(const Options& options) {
                        {"--compression-level", std::to_string(options.compressionLevel)},
                        {"--bit-depth", options.bitDepth == BitDepth::k8 ? "8" : "16"}};
   if (options.background && !isBackgroundFile(*options.background)) {
-    texts.emplace_back("--background", *options.background);
+    texts.emplace_back("--background", backgroundText(*options.background));
   }
   addSequence("--src", options.source, texts);
   texts.emplace_back("--src-window", std::to_string(options.sourceWindowFrames));

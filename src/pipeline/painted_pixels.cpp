@@ -1,8 +1,6 @@
 #include "pipeline/painted_pixels.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 
 #include "compositing/color_margin.h"
@@ -12,12 +10,6 @@
 
 namespace fluidymation {
 namespace {
-
-constexpr float kMost16 = 65535.0F;
-
-[[nodiscard]] std::uint16_t to16Bits(float value) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMost16));
-}
 
 /// Calls `pixel(x, y)` for all pixels of an image, rows side by side.
 template <typename Color, typename Make>

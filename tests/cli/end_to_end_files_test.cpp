@@ -144,7 +144,7 @@ TEST(EndToEndFiles, GoingOnWantsTheSameForm) {
   };
   EXPECT_TRUE(failedWith(1, refusal("--bit-depth was 8, now 16"), with("--bit-depth", "16")));
   EXPECT_TRUE(failedWith(
-      1, refusal("--background was not given, now white; --background was given, now not"),
+      1, refusal("--background was not given, now #ffffff; --background was given, now not"),
       with("--background", "white")));
   // Neither where it lies nor what it is called counts, but what it shows
   fs::copy(scene.file("wash.png"), scene.file("copy.png"));
@@ -155,6 +155,15 @@ TEST(EndToEndFiles, GoingOnWantsTheSameForm) {
   EXPECT_EQ(with("--background", "copy.png").exitCode, 0);
   const SmallScene::Painting painted = filesOf(scene.file("out"));
   EXPECT_TRUE(painted == scene.painting({{"--background", "copy.png"}, {"--restart", ""}}));
+}
+
+TEST(EndToEndFiles, GoingOnTakesAColourByAnyOfItsNames) {
+  const SmallScene scene;
+  ASSERT_EQ(scene.paint({{"--background", "white"}, {"--render-frames", "1-2"}}).exitCode, 0);
+  const ProcessResult result = scene.paint(quietly({{"--background", "#FFF"}, {"--resume", ""}}));
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const SmallScene::Painting painted = filesOf(scene.file("out"));
+  EXPECT_TRUE(painted == scene.painting({{"--background", "#ffffff"}, {"--restart", ""}}));
 }
 
 TEST(EndToEndFiles, AManifestPaintsTheSameFormAgain) {

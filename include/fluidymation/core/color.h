@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Rgb8 {
 /// "#f4f1e8"
 [[nodiscard]] std::string colorText(Rgb8 color);
 
+/// "#F4F1E8", "#fff", "white", "black" or "gray"; nothing for any other text.
+[[nodiscard]] std::optional<Rgb> colorOf(const std::string& text);
+
 /// CIELAB, D65 white, L in [0, 100]. The space in which patches are compared and averaged.
 struct Lab {
   float l = 0.0F;
@@ -49,6 +53,9 @@ struct Lab {
 
 /// A value in [0, 1] as the nearest of 0..255; what lies outside is clipped.
 [[nodiscard]] std::uint8_t toByte(float value);
+
+/// The same as the nearest of 0..65535.
+[[nodiscard]] std::uint16_t to16Bits(float value);
 
 /// `toByte` of each channel of `toRgb`, to the bit, without computing a power: the encoding only
 /// grows, so 255 decision levels tell which byte a linear channel becomes. They are found with the

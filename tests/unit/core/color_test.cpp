@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace fluidymation {
@@ -19,6 +20,31 @@ TEST(Color, LabOfTheSrgbPrimariesAgreesWithPublishedValues) {
   EXPECT_NEAR(blue.l, 32.30F, 0.02F);
   EXPECT_NEAR(blue.a, 79.19F, 0.05F);
   EXPECT_NEAR(blue.b, -107.86F, 0.05F);
+}
+
+TEST(Color, ChannelsBecomeTheNearestOfSixteenBits) {
+  EXPECT_EQ(to16Bits(0.0F), 0);
+  EXPECT_EQ(to16Bits(1.0F), 65535);
+  EXPECT_EQ(to16Bits(0.25F), 16384);
+  EXPECT_EQ(to16Bits(-3.0F), 0);
+  EXPECT_EQ(to16Bits(7.0F), 65535);
+}
+
+TEST(Color, IsReadFromItsNameOrItsHexadecimalDigits) {
+  const std::optional<Rgb> paper = colorOf("#F4f100");
+  ASSERT_TRUE(paper);
+  EXPECT_EQ(toByte(paper->r), 0xF4);
+  EXPECT_EQ(toByte(paper->g), 0xF1);
+  EXPECT_EQ(toByte(paper->b), 0);
+  const std::optional<Rgb> brief = colorOf("#08f");
+  ASSERT_TRUE(brief);
+  EXPECT_EQ(toByte(brief->r), 0);
+  EXPECT_EQ(toByte(brief->g), 0x88);
+  EXPECT_EQ(toByte(brief->b), 0xFF);
+  EXPECT_TRUE(colorOf("white"));
+  for (const char* text : {"", "#", "#12", "#12345", "#1234567", "#12345g", "F4F1E8", "redd"}) {
+    EXPECT_FALSE(colorOf(text)) << text;
+  }
 }
 
 TEST(Color, GraysAreNeutralAndWhiteIsHundred) {

@@ -22,6 +22,17 @@ TEST(Backdrop, APictureFillsTheFrameAndIsCutInTheMiddle) {
   EXPECT_EQ(toByte(result(10, 10).r), 0);
 }
 
+TEST(Backdrop, HasOneTextForEachColour) {
+  for (const char* white : {"white", "#fff", "#FFF", "#ffffff", "#FfFFff"}) {
+    EXPECT_EQ(backgroundText(white), "#ffffff");
+  }
+  EXPECT_EQ(backgroundText("black"), "#000000");
+  EXPECT_EQ(backgroundText("#Ab3"), "#aabb33");
+  for (const char* text : {"gray", "exemplar", "exemplar:cat", "White.png", "#12", ""}) {
+    EXPECT_EQ(backgroundText(text), text);
+  }
+}
+
 TEST(Backdrop, WhatIsNeitherIsWrongUsage) {
   const std::string message = test::messageOf<UsageError>([] {
     (void)backdrop("--background", "blueish", Inputs{}, {4, 4});
