@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "cli/config_lines.h"
 #include "cli/values.h"
@@ -14,13 +16,14 @@ namespace {
 constexpr const char* kWantedSection =
     "; wanted [layer.NAME], a name of letters, digits, - and _, at most 64";
 constexpr std::size_t kLongestName = 64;
+constexpr const char* kBackground = "--background";
 
 [[nodiscard]] bool isPreview(const std::string& option) {
   return option.compare(0, 9, "--preview") == 0;
 }
 
 /// What there is one of in a shot, however many layers.
-const std::set<std::string> kOfTheShot = {"--out-path", "--background", "--progress", "--quiet"};
+const std::set<std::string> kOfTheShot = {"--out-path", kBackground, "--progress", "--quiet"};
 /// What layers must not share.
 const std::set<std::string> kOfALayer = {"--dump-guides"};
 
@@ -57,18 +60,23 @@ void requirePart(const ConfigEntry& entry, bool inLayer) {
   throw UsageError(line.place + ": " + shown("no layer is named by", text) + kWantedSection);
 }
 
-}  // namespace
-
-std::vector<Spec> layeredTable() {
-  std::vector<Spec> table;
-  for (Spec& spec : optionTable()) {
-    if (spec.name != "--background") table.push_back(std::move(spec));
+/// Takes the background out of the entries: those are for the layers' own runs.
+/// @throws UsageError naming the line where it is empty.
+[[nodiscard]] std::optional<std::string> takeBackground(std::vector<ConfigEntry>& entries) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [](const ConfigEntry& entry) {
+    return entry.option == kBackground;
+  });
+  if (found == entries.end()) return std::nullopt;
+  if (found->value.empty()) {
+    throw UsageError(found->place + ": " + shown(kBackground, found->value) +
+                     ": wanted a colour, a file, exemplar or exemplar:NAME");
   }
-  table.push_back({"--background", "Look", "COLOR|FILE|exemplar|exemplar:NAME", "", false,
-                   [](CommandLine&, const std::string&) {},
-                   [](const CommandLine&) { return std::optional<std::string>(); }});
-  return table;
+  std::string background = found->value;
+  entries.erase(found);
+  return background;
 }
+
+}  // namespace
 
 LayeredConfig readLayeredConfig(const std::string& path, const std::vector<Spec>& table) {
   LayeredConfig config;
@@ -92,6 +100,7 @@ LayeredConfig readLayeredConfig(const std::string& path, const std::vector<Spec>
     throw UsageError(path + ": there is no layer" + kWantedSection);
   }
   requireOnce(config.entries);
+  config.background = takeBackground(config.entries);
   for (const LayeredConfig::Section& layer : config.layers) requireOnce(layer.entries);
   return config;
 }

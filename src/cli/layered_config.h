@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,14 @@ struct LayeredConfig {
   };
 
   std::vector<ConfigEntry> entries;  ///< above the first layer: for the shot and all of its layers
-  std::vector<Section> layers;       ///< in the file's order; at least one
+  std::optional<std::string> background;  ///< of the shot, see `LayeredShot`; not among `entries`
+  std::vector<Section> layers;            ///< in the file's order; at least one
 };
-
-/// Options of the painter's table that layers know, and --background, which is the shot's.
-[[nodiscard]] std::vector<Spec> layeredTable();
 
 /// Reads a file of layers: lines as in other config files, then a section for each layer, which
 /// begins with a line `[layer.NAME]`. Names consist of letters, digits, '-' and '_': folders are
 /// called so.
+/// @param table  of the painter's options.
 /// @throws Error naming the file where it cannot be read; UsageError naming file and line where a
 ///   section is none, or a name comes twice, or an option is unknown, given twice, without a value,
 ///   or in the wrong part; UsageError where there is no layer.

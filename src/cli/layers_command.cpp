@@ -1,9 +1,7 @@
 #include "cli/layers_command.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -67,14 +65,6 @@ void applyCommandLine(const CommandLine& told, CommandLine& line) {
   return (frames.parent_path() / "layers" / name / frames.filename()).string();
 }
 
-[[nodiscard]] std::optional<std::string> valueOf(const std::string& option,
-                                                 const LayeredConfig& config) {
-  const auto found = std::find_if(config.entries.begin(), config.entries.end(),
-                                  [&](const ConfigEntry& e) { return e.option == option; });
-  if (found == config.entries.end()) return std::nullopt;
-  return found->value;
-}
-
 /// One layer's run.
 [[nodiscard]] CommandLine lineOf(const LayeredConfig& config, const LayeredConfig::Section& layer,
                                  const std::vector<Spec>& table, const CommandLine& told) {
@@ -108,17 +98,17 @@ void paintLayer(const ShotRequest& request, std::size_t index, const Streams& st
 }  // namespace
 
 ShotRequest shotOf(const std::string& path, const CommandLine& told) {
-  const std::vector<Spec> table = layeredTable();
+  const std::vector<Spec> table = optionTable();
   const LayeredConfig config = readLayeredConfig(path, table);
-  if (!valueOf("--out-path", config)) {
-    throw UsageError(path + ": out-path: required, but not given above the first layer");
-  }
   ShotRequest request;
   request.composite = beginning(told);
-  applyEntries(config.entries, table, request.composite);
+  const Names given = applyEntries(config.entries, table, request.composite);
+  if (given.count("--out-path") == 0) {
+    throw UsageError(path + ": out-path: required, but not given above the first layer");
+  }
   applyCommandLine(told, request.composite);
   LayeredShot& shot = request.shot;
-  shot.background = valueOf("--background", config);
+  shot.background = config.background;
   shot.continuation = request.composite.options.continuation;
   shot.bitDepth = request.composite.options.bitDepth;
   shot.compressionLevel = request.composite.options.compressionLevel;

@@ -159,6 +159,20 @@ TEST(LayeredConfig, WantsEachOptionInItsPart) {
   EXPECT_EQ(faultOf("preview = \"p.png\"\n[layer.a]\n").find("line 5: preview: "), 0U);
 }
 
+TEST(LayeredConfig, LaysTheShotOverItsBackgroundAndNoLayer) {
+  const ShotRequest request =
+      ShotFile(std::string(kShared) + "background = \"#fff\"\n[layer.a]\n").shot();
+  EXPECT_EQ(request.shot.background, "#fff");
+  EXPECT_FALSE(request.shot.layers[0].options.background);
+  EXPECT_FALSE(request.composite.options.background);
+  EXPECT_FALSE(ShotFile(std::string(kShared) + "[layer.a]\n").shot().shot.background);
+  EXPECT_EQ(faultOf("background = \"#fff\"\nbackground = \"#000\"\n[layer.a]\n"),
+            "line 6: background: is given before; wanted once");
+  EXPECT_EQ(faultOf("background = \"\"\n[layer.a]\n"),
+            "line 5: --background with an empty value: wanted a colour, a file, exemplar or "
+            "exemplar:NAME");
+}
+
 TEST(LayeredConfig, SaysWhatALayerLacks) {
   EXPECT_EQ(ShotFile("out-path = \"o/%d.png\"\nsrc-path = \"s/%d.png\"\n[layer.cat]\n").fault(),
             "layer cat: --src-mask-path, --target-path: required, but not given (see --help)");
