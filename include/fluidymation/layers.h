@@ -19,8 +19,10 @@ struct Layer {
 /// A shot painted in layers, which meet by their frames' numbers: frame 7 shows what each of them
 /// has as its own frame 7.
 struct LayeredShot {
-  std::vector<Layer> layers;  ///< from the lowest to the uppermost
-  std::string outPath;        ///< pattern of the composited frames
+  /// From the lowest to the uppermost; at least one. The masks of their animations have one size,
+  /// once they are scaled: that of the shot's frames.
+  std::vector<Layer> layers;
+  std::string outPath;  ///< pattern of the composited frames
   /// What they are laid over: a colour, a PNG file, "exemplar" for the bare surface of the lowest
   /// layer's film, "exemplar:NAME" for that of another one's. None: the frames stay transparent.
   std::optional<std::string> background;
@@ -34,7 +36,7 @@ struct LayeredShot {
 /// where others go on, that the background is there, and that no file that is written replaces one
 /// that is read.
 /// @param observer  is told which layers do not last as long as the shot.
-/// @throws Error, UsageError, Faults, naming the layer.
+/// @throws Error, UsageError, Faults, naming the layer; UsageError where there is none.
 void checkLayers(const LayeredShot& shot, const Observer& observer);
 
 /// Lays the painted frames of all layers over each other and over the background, and writes them
@@ -42,8 +44,10 @@ void checkLayers(const LayeredShot& shot, const Observer& observer);
 /// and Duff's `over`). With a background the files have no alpha; without one, transparent pixels
 /// near the paint have its colours, as those of any run; about the meaning of colours they say what
 /// the lowest layer's do. One frame of one layer is in memory at a time.
+/// Looks at all inputs once more, as `checkLayers` does; the painted frames must be there.
 /// @param observer  `frameDone`, `cancelled` and `note` are used.
-/// @throws Interrupted when `observer.cancelled` asked for it; Error naming the file.
+/// @throws Interrupted when `observer.cancelled` asked for it; Error naming the file, also where a
+///   painted frame has another size; what `checkLayers` throws for inputs.
 void compositeLayers(const LayeredShot& shot, const Observer& observer);
 
 /// Does `step`, whose faults then say which layer they belong to.

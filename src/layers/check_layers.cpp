@@ -1,4 +1,3 @@
-#include <cassert>
 #include <map>
 #include <string>
 #include <vector>
@@ -105,7 +104,6 @@ void checkBackground(const LayeredShot& shot, const LayerInputs& layers, const O
 }  // namespace
 
 void checkLayers(const LayeredShot& shot, const Observer& observer) {
-  assert(!shot.layers.empty());
   checkOutputPattern("--out-path", shot.outPath);
   const LayerInputs layers = openLayers(shot);
   checkOutputs(shot, layers);

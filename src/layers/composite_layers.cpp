@@ -36,8 +36,7 @@ namespace {
                                                int number) {
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < shot.layers.size(); ++i) {
-    const std::vector<int>& numbers = layers.frames[i].numbers;
-    if (std::find(numbers.begin(), numbers.end(), number) == numbers.end()) continue;
+    if (!isSeen(layers.frames[i], number)) continue;
     paths.push_back(FramePattern(shot.layers[i].options.outPath).path(number));
   }
   return paths;
@@ -177,6 +176,8 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
 }  // namespace
 
 void compositeLayers(const LayeredShot& shot, const Observer& observer) {
+  // Anew, though they have been checked: painting the layers may have taken days, and for so long
+  // names and identities of all files would have been kept beside each layer's own.
   const LayerInputs layers = openLayers(shot);
   Stopping stopping(observer, static_cast<int>(layers.numbers.size()));
   try {

@@ -55,6 +55,7 @@ void requireOneSize(const std::vector<Layer>& layers, const std::vector<Inputs>&
 }  // namespace
 
 LayerInputs openLayers(const LayeredShot& shot) {
+  if (shot.layers.empty()) throw UsageError("a shot without layers: wanted one at least");
   LayerInputs layers;
   layers.inputs = openAll(shot.layers);
   requireOneSize(shot.layers, layers.inputs);

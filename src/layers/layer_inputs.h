@@ -21,7 +21,8 @@ struct LayerInputs {
 };
 
 /// Finds all files and reads all headers.
-/// @throws Faults of all layers; UsageError; Error where sizes or numbers do not go together.
+/// @throws Faults of all layers; UsageError, also where there is no layer; Error where sizes or
+/// numbers do not go together.
 [[nodiscard]] LayerInputs openLayers(const LayeredShot& shot);
 
 /// The layer whose film's bare surface is the background; none where that is something else.

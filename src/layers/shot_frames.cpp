@@ -13,13 +13,14 @@ namespace {
                        : std::to_string(first) + " to " + std::to_string(last);
 }
 
-/// @throws Error where `layer` lacks a frame of `other` between its own first and last.
-void requireNoGaps(const LayerFrames& layer, const LayerFrames& other) {
-  const std::set<int> own(layer.numbers.begin(), layer.numbers.end());
+/// @param own  numbers of `layer`, ascending.
+/// @throws Error where it lacks a frame of `other` between its own first and last.
+void requireNoGaps(const LayerFrames& layer, const std::vector<int>& own,
+                   const LayerFrames& other) {
   for (const int number : other.numbers) {
-    if (own.empty() || number < *own.begin() || number > *own.rbegin()) continue;
-    if (own.count(number) > 0) continue;
-    throw Error("layer " + layer.name + ": has frames " + spanText(*own.begin(), *own.rbegin()) +
+    if (own.empty() || number < own.front() || number > own.back()) continue;
+    if (std::binary_search(own.begin(), own.end(), number)) continue;
+    throw Error("layer " + layer.name + ": has frames " + spanText(own.front(), own.back()) +
                 " but no frame " + std::to_string(number) + ", which layer " + other.name +
                 " has; wanted the same steps, see --target-speed and --target-range");
   }
@@ -30,10 +31,17 @@ void requireNoGaps(const LayerFrames& layer, const LayerFrames& other) {
 std::vector<int> shotFrames(const std::vector<LayerFrames>& layers) {
   std::set<int> numbers;
   for (const LayerFrames& layer : layers) {
-    for (const LayerFrames& other : layers) requireNoGaps(layer, other);
-    numbers.insert(layer.numbers.begin(), layer.numbers.end());
+    std::vector<int> own = layer.numbers;
+    std::sort(own.begin(), own.end());
+    for (const LayerFrames& other : layers) requireNoGaps(layer, own, other);
+    numbers.insert(own.begin(), own.end());
   }
   return {numbers.begin(), numbers.end()};
+}
+
+bool isSeen(const LayerFrames& layer, int number) {
+  const auto [first, last] = std::minmax(layer.numbers.front(), layer.numbers.back());
+  return number >= first && number <= last;
 }
 
 std::vector<std::string> notesOnLengths(const std::vector<LayerFrames>& layers,

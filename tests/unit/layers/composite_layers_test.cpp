@@ -210,6 +210,20 @@ TEST_F(Layers, TakeFramesOfTheirSizeOnly) {
   EXPECT_NE(fault.find("frames of 56x44, but those of layer low are 28x22"), std::string::npos);
 }
 
+TEST_F(Layers, AreAtLeastOne) {
+  shot_.layers.clear();
+  const std::string fault = "a shot without layers: wanted one at least";
+  EXPECT_EQ(messageOf<UsageError>([&] { checkLayers(shot_, {}); }), fault);
+  EXPECT_EQ(messageOf<UsageError>([&] { compositeLayers(shot_, {}); }), fault);
+}
+
+TEST_F(Layers, RefuseAPaintedFrameOfAnotherSize) {
+  const std::string frame = scene_.file(SmallScene::frame("shot/layers/high", 2));
+  writePng(frame, Image<Rgba8>({kSize.width + 1, kSize.height}, kVeil));
+  const std::string message = messageOf<Error>([&] { compositeLayers(shot_, {}); });
+  EXPECT_EQ(message.find(frame + ": "), 0U) << message;
+}
+
 TEST_F(Layers, AreAllCheckedBeforeAnythingIsPainted) {
   shot_.layers[0].options.source.path = scene_.file("nowhere/%05d.png");
   shot_.layers[1].options.target.path = scene_.file("gone/%05d.png");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "fluidymation/core/error.h"
 #include "support/temporary_folder.h"
 
@@ -27,6 +30,28 @@ TEST(ShotFrames, RefuseALayerThatIsMissingInBetween) {
 
 TEST(ShotFrames, MayHaveStepsWhereAllLayersDo) {
   EXPECT_EQ(shotFrames({{"a", {1, 3, 5}}, {"b", {3, 5, 7}}}), (Numbers{1, 3, 5, 7}));
+}
+
+TEST(ShotFrames, ShowALayerFromItsFirstFrameToItsLast) {
+  for (const LayerFrames& layer : {LayerFrames{"a", {3, 5, 7}}, LayerFrames{"b", {7, 5, 3}}}) {
+    for (const int number : {3, 5, 7}) EXPECT_TRUE(isSeen(layer, number));
+    for (const int number : {1, 9, -5}) EXPECT_FALSE(isSeen(layer, number));
+  }
+  EXPECT_TRUE(isSeen({"c", {4}}, 4));
+  EXPECT_FALSE(isSeen({"c", {4}}, 5));
+}
+
+/// Looking through a layer for each frame would take hours.
+TEST(ShotFrames, MayBeAMillion) {
+  LayerFrames layer{"a", Numbers(1'000'000)};
+  std::iota(layer.numbers.begin(), layer.numbers.end(), 1);
+  const LayerFrames late{"b", {900'001, 900'002}};
+  const Numbers shot = shotFrames({layer, late});
+  const auto seen = [&shot](const LayerFrames& frames) {
+    return std::count_if(shot.begin(), shot.end(), [&](int n) { return isSeen(frames, n); });
+  };
+  EXPECT_EQ(seen(layer), 1'000'000);
+  EXPECT_EQ(seen(late), 2);
 }
 
 TEST(ShotFrames, SayWhichLayersAreShorter) {
