@@ -66,7 +66,7 @@ ExitCode inspectCommand(int argc, const char* const* argv, const Streams& stream
   observer.cancelled = [&] { return stopSignal && stopSignal() != 0; };
   const Inspection found = inspect(line.options, guidesFolder, observer);
   for (const std::string& note : found.notes) {
-    if (!line.quiet) streams.err << "fluidymation: note: " + oneLine(note) + "\n";
+    if (!line.quiet) streams.err << noteLine(note);
   }
   for (const std::string& fault : found.faults) {
     streams.err << "fluidymation: error: " + oneLine(fault) + "\n";

@@ -135,7 +135,7 @@ ExitCode layersCommand(int argc, const char* const* argv, const Streams& streams
   const auto isCancelled = [&] { return stopSignal && stopSignal() != 0; };
   const auto note = [&](const std::string& text) {
     if (!request.composite.quiet) {
-      streams.err << "fluidymation: note: " + oneLine(text) + "\n" << std::flush;
+      streams.err << noteLine(text) << std::flush;
     }
   };
   checkLayers(request.shot, {note, {}, isCancelled, {}, {}});

@@ -72,7 +72,7 @@ void Progress::note(const std::string& text) {
   if (style_ == Style::kQuiet) return;
   const std::string line = line_;
   if (!line.empty()) rewrite("");
-  out_ << "fluidymation: note: " + label_ + oneLine(text) + "\n" << std::flush;
+  out_ << noteLine(label_ + text) << std::flush;
   if (!line.empty()) show(line);
 }
 

@@ -208,6 +208,10 @@ std::string shown(const std::string& option, const std::string& text) {
   return option + " " + oneLine(cut ? text.substr(0, kLongestShown) + "..." : text);
 }
 
+std::string noteLine(const std::string& text) {
+  return "fluidymation: note: " + oneLine(text) + "\n";
+}
+
 std::string oneLine(std::string text) {
   // As bytes: whether char is signed depends on the machine
   constexpr unsigned char kC1Lead = 0xC2;  // the controls U+0080 to U+009F are C2 80 to C2 9F

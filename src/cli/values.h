@@ -70,4 +70,7 @@ struct FrameRange {
 /// `text` on one line: control characters become '?'.
 [[nodiscard]] std::string oneLine(std::string text);
 
+/// "fluidymation: note: frames may differ", and the line's end: how every note is told.
+[[nodiscard]] std::string noteLine(const std::string& text);
+
 }  // namespace fluidymation::cli
