@@ -4,13 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "cli/run_listener.h"
 #include "fluidymation/pipeline.h"
 
 namespace fluidymation::cli {
 
 /// Tells the user what happens: on a terminal one line, shown from the beginning and rewritten for
 /// every frame, with notes above it; else one plain line a frame.
-class Progress {
+class Progress : public RunListener {
  public:
   enum class Style { kTerminal, kPlain, kQuiet };
 
@@ -18,12 +19,14 @@ class Progress {
   Progress(std::ostream& out, Style style, std::string label = "")
       : out_(out), style_(style), label_(std::move(label)) {}
 
-  void readingBegins();
-  void reading(const ReadingReport& report);
-  /// @param frame  to be painted first, from 0.
-  void paintingBegins(int frame, int frameCount);
+  void readingBegins() override;
+  void reading(const ReadingReport& report) override;
+  void paintingBegins(int frame, int frameCount) override;
+  void frameDone(const FrameReport& report) override;
+  /// Ends the line: who catches the fault says what it is.
+  void failed(const std::string& /*reason*/) override { finishLine(); }
+
   void note(const std::string& text);
-  void frameDone(const FrameReport& report);
 
   /// The last words: how many frames, how long, which files.
   void allDone();

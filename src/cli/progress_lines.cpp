@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "cli/progress.h"
@@ -24,7 +25,7 @@ namespace {
   return "target movement";
 }
 
-class JsonLines : public ProgressLines {
+class JsonLines : public RunListener {
  public:
   JsonLines(std::ostream& out, RunPlace place) : out_(out), place_(std::move(place)) {}
 
@@ -59,7 +60,7 @@ class JsonLines : public ProgressLines {
   RunPlace place_;
 };
 
-class OpenJobDescriptionLines : public ProgressLines {
+class OpenJobDescriptionLines : public RunListener {
  public:
   OpenJobDescriptionLines(std::ostream& out, RunPlace place)
       : out_(out), place_(std::move(place)) {}
@@ -107,8 +108,8 @@ class OpenJobDescriptionLines : public ProgressLines {
 
 }  // namespace
 
-std::unique_ptr<ProgressLines> progressLines(ProgressFormat format, std::ostream& out,
-                                             const RunPlace& place) {
+std::unique_ptr<RunListener> progressLines(ProgressFormat format, std::ostream& out,
+                                           const RunPlace& place) {
   switch (format) {
     case ProgressFormat::kJson:
       return std::make_unique<JsonLines>(out, place);

@@ -2,30 +2,15 @@
 
 #include <memory>
 #include <ostream>
-#include <string>
 
 #include "cli/command_line.h"
+#include "cli/run_listener.h"
 #include "cli/run_place.h"
-#include "fluidymation/pipeline.h"
 
 namespace fluidymation::cli {
 
-/// Tells a program what happens, in whole lines, each flushed at once.
-class ProgressLines {
- public:
-  virtual ~ProgressLines() = default;
-
-  virtual void readingBegins() = 0;
-  /// Called now and then, see `Throttle`.
-  virtual void reading(const ReadingReport& report) = 0;
-  /// @param frame  to be painted first, from 0.
-  virtual void paintingBegins(int frame, int frameCount) = 0;
-  virtual void frameDone(const FrameReport& report) = 0;
-  /// The run ends without having painted all; `reason` is one line.
-  virtual void failed(const std::string& reason) = 0;
-};
-
-/// The lines of `format`, written to `out`; null for ProgressFormat::kHuman, see `Progress`.
+/// Tells a program what happens, in whole lines of `format`, each flushed at once; null for
+/// ProgressFormat::kHuman, see `Progress`.
 ///
 /// kJson: of each frame written an object with
 ///   "frame"    its number in the animation, as in file names
@@ -43,7 +28,7 @@ class ProgressLines {
 /// kOpenJobDescription: "openjd_status: ", "openjd_progress: " with the percentage of the frames
 /// this run has to paint, and "openjd_fail: "; Open Job Description's wiki, "How Jobs Are Run",
 /// Stdout/Stderr Messages. Of several runs each has an equal part of the percentage.
-[[nodiscard]] std::unique_ptr<ProgressLines> progressLines(ProgressFormat format, std::ostream& out,
-                                                           const RunPlace& place = {});
+[[nodiscard]] std::unique_ptr<RunListener> progressLines(ProgressFormat format, std::ostream& out,
+                                                         const RunPlace& place = {});
 
 }  // namespace fluidymation::cli

@@ -56,6 +56,16 @@ TEST(Progress, EveryLineOfARunAmongSeveralSaysWhichItIs) {
   }
 }
 
+TEST(Progress, AFailureEndsTheLineAndIsToldByOthers) {
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::kTerminal);
+  progress.paintingBegins(0, 80);
+  RunListener& listener = progress;
+  listener.failed("the disk is full");
+  listener.failed("the disk is full");
+  EXPECT_EQ(out.str(), "\rframe 1 of 80 ...\x1b[K\n");
+}
+
 TEST(Progress, ReadingShowsOnATerminalOnly) {
   const auto shown = [](Progress::Style style) {
     std::ostringstream out;
