@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,6 +59,17 @@ class OutputFiles {
                      ", too; choose another --out-path");
   }
 
+  /// @throws UsageError where a layer dumps into a folder of frames; once all are added.
+  void requireDumpsApart() const {
+    for (const auto& [path, owner] : owners_) {
+      const std::string folder = std::filesystem::path(path).parent_path().string();
+      const auto dumper = dumpers_.find(folder);
+      if (dumper == dumpers_.end()) continue;
+      throw UsageError("layer " + dumper->second + ": --dump-guides: " + folder +
+                       " is a folder of painted frames; choose another folder");
+    }
+  }
+
   /// @throws UsageError where the layer dumps into a folder of another one's dump.
   void addDump(const Layer& layer) {
     if (!layer.options.dumpGuidesDirectory) return;
@@ -89,6 +101,8 @@ void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
   }
   const FramePattern pattern(shot.outPath);
   for (const int number : layers.numbers) files.add("--out-path", pattern.path(number));
+  files.requireDumpsApart();
+  requireNoInputAmongRecords(RunFiles(pattern), inputs);
   checkFolderCreatable(pattern.folder());
   for (const int number : layers.numbers) checkReplaceable(pattern.path(number));
 }

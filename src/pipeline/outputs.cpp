@@ -133,6 +133,21 @@ void requireNoFrameNames(const std::string& option, const std::string& folder,
 
 }  // namespace
 
+void requireNoInputAmongRecords(const RunFiles& files, const ProtectedFiles& protectedFiles) {
+  std::vector<std::string> records = {files.manifest()};
+  std::error_code ignored;  // most often there is no such folder
+  for (std::filesystem::directory_iterator entry(files.hiddenFolder(), ignored);
+       !ignored && entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+    records.push_back(entry->path().string());
+  }
+  for (const std::string& record : records) {
+    if (!protectedFiles.contains(record)) continue;
+    throw UsageError("--out-path " + files.pattern() + ": " + record +
+                     " is an input and has the place of what the run keeps beside its frames; "
+                     "choose another --out-path");
+  }
+}
+
 std::string dumpFolder(const Options& options, const std::string& sequence) {
   return (std::filesystem::path(*options.dumpGuidesDirectory) / sequence).string();
 }
@@ -152,6 +167,7 @@ std::vector<std::string> checkOutput(const Options& options, const Inputs& input
                        " is an input and would be overwritten; choose another --out-path");
     }
   }
+  requireNoInputAmongRecords(RunFiles(pattern), protectedFiles);
   requireNoFrameNames("--out-path " + options.outPath, pattern.folder(), protectedFiles);
   if (options.dumpGuidesDirectory) {
     checkDump(options, inputs, protectedFiles, paths);

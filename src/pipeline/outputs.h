@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/run_files.h"
 #include "fluidymation/options.h"
 #include "pipeline/inputs.h"
 #include "pipeline/protected_files.h"
@@ -19,6 +20,11 @@ namespace fluidymation {
 /// The same where more is to be protected than the run's own inputs.
 [[nodiscard]] std::vector<std::string> checkOutput(const Options& options, const Inputs& inputs,
                                                    const ProtectedFiles& protectedFiles);
+
+/// @throws UsageError where what a run keeps beside its frames, manifest and hidden folder, would
+/// replace
+///   an input.
+void requireNoInputAmongRecords(const RunFiles& files, const ProtectedFiles& protectedFiles);
 
 /// Creates the folders of the frames and of the dump, and makes sure that files can be written
 /// there. @throws Error naming folder or file.

@@ -108,6 +108,21 @@ TEST(EndToEndFiles, ABackgroundThatIsNoneIsWrongUsage) {
   EXPECT_EQ(scene.names("out"), std::vector<std::string>{});
 }
 
+TEST(EndToEndFiles, ABackgroundDoesNotTakeThePlaceOfRecords) {
+  const SmallScene scene;
+  for (const char* name : {"out/fluidymation.json", "out/.fluidymation/times.json"}) {
+    std::filesystem::create_directories(std::filesystem::path(scene.file(name)).parent_path());
+    writePng(scene.file(name), wash({28, 22}));
+    const ProcessResult result = scene.paint(quietly({{"--background", scene.file(name)}}));
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.err.find(std::string(name) + " is an input and has the place of what"),
+              std::string::npos)
+        << result.err;
+    EXPECT_EQ(readColor(scene.file(name)).size(), (Size{28, 22}));
+    scene.remove("out");
+  }
+}
+
 TEST(EndToEndFiles, ABackgroundIsNotOverwritten) {
   const SmallScene scene;
   fs::create_directories(scene.file("out"));

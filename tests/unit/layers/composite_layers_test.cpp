@@ -276,6 +276,15 @@ TEST_F(Layers, WriteNoFileThatIsTheirBackgroundUnderAnotherName) {
       << fault();
 }
 
+TEST_F(Layers, ReplaceNoBackgroundThatHasThePlaceOfTheirManifest) {
+  const std::string picture = scene_.file("shot/fluidymation.json");
+  std::filesystem::remove(picture);
+  writePng(picture, Image<Rgba8>(kSize, kRed));
+  shot_.background = picture;
+  EXPECT_NE(messageOf<UsageError>([&] { checkLayers(shot_, {}); }).find(picture + " is an input"),
+            std::string::npos);
+}
+
 TEST_F(Layers, RecordTheirBackgroundAndRefuseAnotherOne) {
   const std::string picture = scene_.file("wash.png");
   writePng(picture, Image<Rgba8>(kSize, kRed));
@@ -311,6 +320,12 @@ TEST_F(Layers, DumpIntoFoldersOfTheirOwn) {
   shot_.layers[1].options.dumpGuidesDirectory = same;
   EXPECT_EQ(fault(), "layer high: --dump-guides " + same + ": " + same +
                          "/source is written by layer low, too; choose another folder");
+  // "target" is what a dump calls the folder of the animation's guides
+  shot_.layers[0].options.dumpGuidesDirectory.reset();
+  shot_.outPath = scene_.file("mixed/target/%05d.png");
+  shot_.layers[1].options.dumpGuidesDirectory = scene_.file("mixed");
+  EXPECT_EQ(fault(), "layer high: --dump-guides: " + scene_.file("mixed/target") +
+                         " is a folder of painted frames; choose another folder");
 }
 
 TEST_F(Layers, StopWhereTheyAreAskedToAndGoOn) {

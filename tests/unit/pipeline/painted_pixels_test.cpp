@@ -1,4 +1,5 @@
 #include "pipeline/painted_pixels.h"
+#include "compositing/color_margin.h"
 
 #include <gtest/gtest.h>
 
