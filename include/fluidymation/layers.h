@@ -33,8 +33,8 @@ struct LayeredShot {
 
 /// Checks all that can be wrong before anything is painted, as far as headers and folders tell:
 /// options and inputs of every layer, that their frames have one size, that none of them has gaps
-/// where others go on, that the background is there, and that no file that is written replaces one
-/// that is read.
+/// where others go on, that the background is there, that no file that is written replaces one
+/// that is read, and no composited frame a picture that somebody else has made.
 /// @param observer  is told which layers do not last as long as the shot.
 /// @throws Error, UsageError, Faults, naming the layer; UsageError where there is none.
 void checkLayers(const LayeredShot& shot, const Observer& observer);

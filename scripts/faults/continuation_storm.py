@@ -5,7 +5,8 @@ while somebody edits, removes and adds frames, manifest and states. After each s
   - what somebody has put there or edited is replaced by nothing but --overwrite, or --restart after a run that was stopped;
   - --skip-existing changes nothing that is there;
   - no frame is half written, and no temporary file stays behind a run that has painted;
-  - a run that succeeds has painted the frames it was asked for, and --verify finds them as painted;
+  - a run that succeeds has painted the frames it was asked for, and --verify finds them as painted; one over the whole shot
+    has painted those of an undisturbed run with its --seed, byte for byte;
   - a refusal names what works: each option that it offers is tried on a copy, and is not refused in turn.
 
 Prints each step with --talk, else the number of steps. Exit code 1 where something did not hold, with the
@@ -30,6 +31,7 @@ import small_scene
 
 FRAMES = 6
 FOREIGN = b"a picture of somebody else's"
+SEEDS = ("1", "2")
 SLOW = ("--opt-iterations", "60")  # leaves time to be killed in
 
 
@@ -65,11 +67,18 @@ class Storm:
         self.out = folder / "out"
         self.history = []
         self.foreign = {}  # names and bytes of what somebody has put there
+        self.edits = 0
+        self.granted = set()  # names of those of them that a --restart was allowed to replace, and may not have yet
+        self.painted_in_parts = False
+        self.seed = SEEDS[0]
         self.counts = collections.Counter()
-        reference = folder / "reference"
-        begun = time.monotonic()
-        self.must_succeed(self.run(reference, []))
-        self.seconds = time.monotonic() - begun
+        self.references = {}  # the frames of undisturbed runs, by seed
+        for seed in SEEDS:
+            reference = folder / f"reference-{seed}"
+            begun = time.monotonic()
+            self.must_succeed(self.run(reference, ["--seed", seed]))
+            self.seconds = time.monotonic() - begun
+            self.references[seed] = self.frames(reference)
 
     def command(self, out, more):
         return [str(self.program), *small_scene.options(self.scene, out), *self.options, *more]
@@ -94,8 +103,16 @@ class Storm:
     def frame(self, number):
         return self.out / f"{number:05d}.png"
 
-    def frames(self):
-        return {path.name: path.read_bytes() for path in sorted(self.out.glob("*.png"))} if self.out.exists() else {}
+    def frames(self, folder=None):
+        return {path.name: path.read_bytes() for path in sorted((folder or self.out).glob("*.png"))}
+
+    def put(self, path, data):
+        """Somebody's own file, other than any before."""
+        self.edits += 1
+        path.unlink(missing_ok=True)
+        path.write_bytes(data + str(self.edits).encode())
+        self.foreign[path.name] = path.read_bytes()
+        self.granted.discard(path.name)
 
     # Steps
 
@@ -107,12 +124,9 @@ class Storm:
         states = sorted(hidden.glob("state-*")) if hidden.exists() else []
         kind = self.random.choice(["add", "add", "edit", "remove", "remove", "manifest", "hidden", "state", "spoil"])
         if kind == "edit" and path.exists():
-            path.write_bytes(path.read_bytes() + b"edited")
-            self.foreign[path.name] = path.read_bytes()
+            self.put(path, path.read_bytes() + b"edited")
         elif kind in ("add", "edit"):
-            path.unlink(missing_ok=True)
-            path.write_bytes(FOREIGN)
-            self.foreign[path.name] = FOREIGN
+            self.put(path, FOREIGN)
         elif kind == "remove":
             path.unlink(missing_ok=True)
             self.foreign.pop(path.name, None)
@@ -137,6 +151,9 @@ class Storm:
             more += ["--render-frames", f"{first}-{self.random.randint(first, FRAMES)}"]
         if self.random.random() < 0.2:
             more.append("--keep-states")
+        if self.random.random() < 0.25:
+            self.seed = self.random.choice(SEEDS)
+        more += ["--seed", self.seed]
         more += ["--threads", str(self.random.choice([1, 2]))]
         kill_after = self.random.uniform(0.01, self.seconds) if self.random.random() < 0.5 else None
         number = self.random.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM])
@@ -159,9 +176,12 @@ class Storm:
         for name, data in list(self.foreign.items()):
             if after.get(name) == data:
                 continue
-            if not may_replace:
+            if not may_replace and name not in self.granted:
                 raise Broken(f"{name}, which somebody else has made, was replaced")
             del self.foreign[name]
+            self.granted.discard(name)
+        if "--restart" in more and code not in (1, 2):
+            self.granted |= set(self.foreign)  # stopped, it is gone on with by --resume, which may as much
         if "--skip-existing" in more:
             for name, data in before.items():
                 if after.get(name) != data:
@@ -189,7 +209,9 @@ class Storm:
             if "--skip-existing" not in more and name in self.foreign:
                 raise Broken(f"{name} is somebody else's after a run that succeeded")
         if "--render-frames" in more or "--skip-existing" in more:
+            self.painted_in_parts = True
             return  # other frames may be edited ones
+        self.check_bytes(more)
         verified = subprocess.run([self.program, "--verify", self.out / "fluidymation.json"], capture_output=True)
         if verified.returncode != 0:
             raise Broken("--verify: " + verified.stdout.decode() + verified.stderr.decode())

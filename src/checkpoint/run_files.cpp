@@ -12,6 +12,7 @@ constexpr const char* kHiddenFolder = ".fluidymation";
 constexpr const char* kManifest = "fluidymation.json";
 constexpr const char* kTimes = "times.json";
 constexpr const char* kLock = "lock";
+constexpr const char* kReplaceableFrames = "replaceable.txt";
 constexpr const char* kState = "state-%d.bin";
 
 /// What a frame's name has round its number, less the ending: "rim_" of "out/rim_%05d.png".
@@ -40,6 +41,9 @@ std::string RunFiles::manifest() const {
 }
 std::string RunFiles::times() const { return (fs::path(hidden_) / (stem_ + kTimes)).string(); }
 std::string RunFiles::lock() const { return (fs::path(hidden_) / (stem_ + kLock)).string(); }
+std::string RunFiles::replaceableFrames() const {
+  return (fs::path(hidden_) / (stem_ + kReplaceableFrames)).string();
+}
 
 std::string RunFiles::state(int number) const {
   return (fs::path(hidden_) / FramePattern(escaped(stem_) + kState).path(number)).string();
@@ -62,7 +66,8 @@ bool RunFiles::isFrameOrManifest(const std::string& name) const {
 }
 
 bool RunFiles::isHidden(const std::string& name) const {
-  return name == stem_ + kTimes || FramePattern(escaped(stem_) + kState).numberOf(name).has_value();
+  return name == stem_ + kTimes || name == stem_ + kReplaceableFrames ||
+         FramePattern(escaped(stem_) + kState).numberOf(name).has_value();
 }
 
 }  // namespace fluidymation

@@ -23,6 +23,7 @@ class RunFiles {
   [[nodiscard]] std::string manifest() const;
   [[nodiscard]] std::string times() const;
   [[nodiscard]] std::string lock() const;
+  [[nodiscard]] std::string replaceableFrames() const;
   /// The state after frame `number` (the user's own).
   [[nodiscard]] std::string state(int number) const;
 

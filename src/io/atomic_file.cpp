@@ -89,6 +89,13 @@ void flushFolder(const std::string& path) {
   close(descriptor);
 }
 
+/// @return  whether that went well; else errno says why.
+[[nodiscard]] bool flushToDisk(std::FILE* file) {
+  if (std::fflush(file) != 0) return false;
+  // Some file systems cannot flush and say so; nothing is lost by that.
+  return fsync(fileno(file)) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
 /// The file under its temporary name; removed again unless `publish` succeeds.
 class TemporaryFile {
  public:
@@ -121,9 +128,7 @@ class TemporaryFile {
 
   /// A full disk may show only when the buffers are emptied, so each step is checked.
   void publish() {
-    if (std::fflush(file_) != 0) failToWrite(path_, errno);
-    // Some file systems cannot flush and say so; nothing is lost by that.
-    if (fsync(fileno(file_)) != 0 && errno != EINVAL && errno != ENOTSUP) failToWrite(path_, errno);
+    if (!flushToDisk(file_)) failToWrite(path_, errno);
     std::FILE* const file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) failToWrite(path_, errno);
@@ -170,6 +175,22 @@ void replaceAtomically(const std::string& path,
   TemporaryFile file(path);
   write(file.temporary());
   file.publish();
+}
+
+void appendLine(const std::string& path, const std::string& line) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) failToWrite(path, errno);
+  std::FILE* const file = fdopen(descriptor, "ab");
+  if (file == nullptr) {
+    const int code = errno;
+    close(descriptor);
+    failToWrite(path, code);
+  }
+  errno = 0;
+  const bool written = std::fwrite(line.data(), 1, line.size(), file) == line.size();
+  int code = written && flushToDisk(file) ? 0 : errno;
+  if (std::fclose(file) != 0 && code == 0) code = errno;
+  if (code != 0) failToWrite(path, code);
 }
 
 std::optional<std::string> temporaryFileOf(const std::string& name) {

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/layers.h"
 #include "fluidymation/option_ranges.h"
+#include "layers/composited_frames.h"
 #include "layers/layer_inputs.h"
 #include "pipeline/outputs.h"
 #include "pipeline/protected_files.h"
@@ -108,11 +110,10 @@ void checkOutputs(const LayeredShot& shot, const LayerInputs& layers) {
 }
 
 /// The film's surface takes long to find, all else is looked at.
-void checkBackground(const LayeredShot& shot, const LayerInputs& layers, const Observer& observer) {
+void checkBackground(const LayeredShot& shot, const LayerInputs& layers,
+                     const std::function<void()>& stopIfWanted) {
   if (layerOfBackground(shot)) return;
-  (void)bottomOf(shot, layers, [&observer] {
-    if (observer.cancelled && observer.cancelled()) throw Interrupted("interrupted");
-  });
+  (void)bottomOf(shot, layers, stopIfWanted);
 }
 
 }  // namespace
@@ -121,7 +122,11 @@ void checkLayers(const LayeredShot& shot, const Observer& observer) {
   checkOutputPattern("--out-path", shot.outPath);
   const LayerInputs layers = openLayers(shot);
   checkOutputs(shot, layers);
-  checkBackground(shot, layers, observer);
+  const auto stopIfWanted = [&observer] {
+    if (observer.cancelled && observer.cancelled()) throw Interrupted("interrupted");
+  };
+  checkBackground(shot, layers, stopIfWanted);
+  requireOwnComposite(shot, layers, stopIfWanted);
   if (!observer.note) return;
   for (const std::string& note : notesOnLengths(layers.frames, layers.numbers)) {
     observer.note(note);

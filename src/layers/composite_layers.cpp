@@ -20,9 +20,11 @@
 #include "fluidymation/io/digest.h"
 #include "fluidymation/io/png.h"
 #include "fluidymation/layers.h"
+#include "layers/composited_frames.h"
 #include "layers/layer_inputs.h"
 #include "pipeline/backdrop.h"
 #include "pipeline/existing_frames.h"
+#include "pipeline/frame_replacement.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
 #include "pipeline/starting_point.h"
@@ -60,22 +62,19 @@ namespace {
 
 [[nodiscard]] RunIdentity identityOf(const LayeredShot& shot, const LayerInputs& layers,
                                      const std::function<void()>& beforeEach) {
-  const FramePattern pattern(shot.outPath);
-  std::vector<std::string> paths;
-  for (const int number : layers.numbers) paths.push_back(pattern.path(number));
+  RunIdentity run = compositedFrames(shot, layers);
   std::string names;
   for (const Layer& layer : shot.layers) names += (names.empty() ? "" : ",") + layer.name;
-  Fingerprint fingerprint;
-  fingerprint.version = version();
-  fingerprint.options = {{"layers", names},
-                         {"background", backgroundText(shot.background.value_or("none"))},
-                         {"--bit-depth", shot.bitDepth == BitDepth::k16 ? "16" : "8"},
-                         {"--compression-level", std::to_string(shot.compressionLevel)}};
-  fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
+  run.fingerprint.version = version();
+  run.fingerprint.options = {{"layers", names},
+                             {"background", backgroundText(shot.background.value_or("none"))},
+                             {"--bit-depth", shot.bitDepth == BitDepth::k16 ? "16" : "8"},
+                             {"--compression-level", std::to_string(shot.compressionLevel)}};
+  run.fingerprint.inputs.push_back(digestsOfLayers(shot, layers, beforeEach));
   if (layers.background) {
-    fingerprint.inputs.push_back({kBackgroundOption, {{0, digestOfFile(*shot.background)}}});
+    run.fingerprint.inputs.push_back({kBackgroundOption, {{0, digestOfFile(*shot.background)}}});
   }
-  return {RunFiles(pattern), layers.numbers, std::move(paths), std::move(fingerprint), {}};
+  return run;
 }
 
 /// As files hold it, with colours round the paint. @param rounded  a value in [0, 1] as a channel
@@ -139,15 +138,16 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
   const PngContent content{shot.background.has_value(), chunksOf(shot, layers, observer)};
   RunLock lock(run.files);
   lock.takeIfUsed();
-  StartingPoint start;
-  start.span = {0, count};
-  start.known = FrameRecords(layers.numbers.size());
-  const DoubtfulFrames doubtful = requireOwnFrames(shot.continuation, run, start, stopIfWanted);
+  const StartingPoint start = wholeShot(layers);
+  const FrameReplacement replacement(run, start.span,
+                                     requireOwnFrames(shot.continuation, run, start, stopIfWanted),
+                                     shot.continuation.waysOut);
   createFolder(run.files.folder());
   checkFolderWritable(run.files.folder());
   const std::string note = lock.take();
   if (!note.empty() && observer.note) observer.note(note);
   lock.setUnfinished(true);
+  replacement.begin();
   // What it says of frames holds no longer; the hidden folder tells that they are a run's own.
   std::error_code ignored;
   std::filesystem::remove(run.files.manifest(), ignored);
@@ -158,9 +158,7 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
     const int number = layers.numbers[at(j)];
     const std::vector<std::uint8_t> file = composite(shot, layers, number, bottom, content);
     const Digest digest = digestOf(file.data(), file.size());
-    if (doubtful.count(j) != 0) {
-      requireSame(run.framePaths[at(j)], digest, shot.continuation.waysOut);
-    }
+    replacement.beforeWriting(j, digest);
     writeAtomically(run.framePaths[at(j)], file);
     journal.frameWritten(j, digest, nullptr);
     stopping.setWritten(j + 1, count);
@@ -170,6 +168,7 @@ void compositeAll(const LayeredShot& shot, const Observer& observer, const Layer
     observer.frameDone({j, count, number, seconds.count(), run.framePaths[at(j)]});
   }
   journal.finish();
+  replacement.finish();
   lock.setUnfinished(false);
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "checkpoint/manifest.h"
 #include "fluidymation/core/error.h"
@@ -37,45 +38,95 @@ namespace fs = std::filesystem;
   }
 }
 
-/// What the manifest says of the frames, by their names; nothing where there is none to read.
-[[nodiscard]] std::map<std::string, Digest> paintedFrames(const RunFiles& files) {
-  std::map<std::string, Digest> painted;
+/// What the manifest says of the run's frames, added to what a stopped run has `recorded`. Nothing
+/// of the manifest where it cannot be read, or is of frames with other names.
+[[nodiscard]] FrameDigests knownFrames(const RunIdentity& run, const FrameDigests& recorded) {
+  FrameDigests known = recorded;
   std::error_code ignored;
-  if (!fs::exists(files.manifest(), ignored)) return painted;
+  if (!fs::exists(run.files.manifest(), ignored)) return known;
+  const FramePattern pattern(run.files.pattern());
   try {
-    for (const Manifest::Frame& frame : readManifest(files.manifest()).frames) {
-      painted[frame.file] = frame.digest;
+    for (const Manifest::Frame& frame : readManifest(run.files.manifest()).frames) {
+      if (fs::path(pattern.path(frame.number)).filename() == frame.file)
+        add(frame.number, frame.digest, known);
     }
   } catch (const Error&) {
-    painted.clear();
+    return recorded;
   }
-  return painted;
+  return known;
 }
 
-}  // namespace
-
-DoubtfulFrames requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
-                                const StartingPoint& start,
-                                const std::function<void()>& beforeEach) {
-  const bool stopped = wasStopped(run.files);
-  if (options.existing == ExistingFrames::kReplace || (options.restart && stopped)) return {};
-  const std::map<std::string, Digest> painted = paintedFrames(run.files);
-  DoubtfulFrames others;
-  for (int j = start.span.begin; j < start.span.end; ++j) {
-    const std::string& path = run.framePaths[at(j)];
-    if (!isThere(path)) continue;
-    const auto known = painted.find(fs::path(path).filename().string());
-    beforeEach();
-    if (known == painted.end() || digestOfFile(path) != known->second) others.insert(j);
+/// What is known of frames that are not going to be painted, and that the run does not know itself.
+[[nodiscard]] OwnFrames framesOfOthers(const RunIdentity& run, const StartingPoint& start,
+                                       const FrameDigests& known) {
+  OwnFrames own;
+  for (int j = 0; j < run.frameCount(); ++j) {
+    if ((j >= start.span.begin && j < start.span.end) || start.known[at(j)]) continue;
+    const auto found = known.find(run.numbers[at(j)]);
+    if (found != known.end()) own.replaceable.insert(*found);
   }
-  if (start.state || (options.resume && stopped)) return others;
-  if (others.empty()) return {};
+  return own;
+}
+
+/// Nothing for what is no ordinary file, or cannot be read.
+[[nodiscard]] std::optional<Digest> digestIfReadable(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  try {
+    return digestOfFile(path);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// @throws Error naming the first of these frames, where there are any, and how many there are.
+void requireNone(const DoubtfulFrames& others, const RunIdentity& run, const std::string& waysOut) {
+  if (others.empty()) return;
   const std::size_t more = others.size() - 1;
   throw Error(
       run.framePaths[at(*others.begin())] +
       ": is there already, and not as a run that is recorded there has painted it" +
       (more == 0 ? "" : (more == 1 ? "; so is " : "; so are ") + std::to_string(more) + " more") +
-      "; wanted " + options.waysOut);
+      "; wanted " + waysOut);
+}
+
+}  // namespace
+
+OwnFrames requireOwnFrames(const ContinuationOptions& options, const RunIdentity& run,
+                           const StartingPoint& start, const std::function<void()>& beforeEach) {
+  const bool stopped = wasStopped(run.files);
+  const bool replacesAll = options.existing == ExistingFrames::kReplace;
+  const bool discardsAll = !replacesAll && options.restart && stopped;
+  const FrameDigests recorded = readReplaceableFrames(run.files.replaceableFrames());
+  const FrameDigests known = knownFrames(run, recorded);
+  OwnFrames own = framesOfOthers(run, start, known);
+  DoubtfulFrames others;
+  DoubtfulFrames changed;  // of others: those that a run had recorded
+  for (int j = start.span.begin; j < start.span.end; ++j) {
+    const int number = run.numbers[at(j)];
+    const std::string& path = run.framePaths[at(j)];
+    own.recorded = own.recorded || known.count(number) != 0;
+    if (!isThere(path)) continue;
+    beforeEach();
+    std::optional<Digest> digest;
+    if (discardsAll || (replacesAll && known.count(number) != 0)) {
+      digest = digestIfReadable(path);
+    } else if (known.count(number) != 0) {
+      digest = digestOfFile(path);
+    }
+    if (digest && (discardsAll || holds(known, number, *digest))) {
+      add(number, *digest, own.replaceable);
+    } else {
+      others.insert(j);
+      if (recorded.count(number) != 0) changed.insert(j);
+    }
+  }
+  own.recorded = own.recorded || !own.replaceable.empty();
+  if (replacesAll || discardsAll) return own;
+  const bool goesOn = start.state || (options.resume && stopped);
+  requireNone(goesOn ? changed : others, run, options.waysOut);
+  own.doubtful = std::move(others);
+  return own;
 }
 
 void requireSame(const std::string& path, const Digest& digest, const std::string& waysOut) {

@@ -26,6 +26,7 @@
 #include "pipeline/frame_form.h"
 #include "pipeline/frame_line.h"
 #include "pipeline/frame_painter.h"
+#include "pipeline/frame_replacement.h"
 #include "pipeline/frame_writer.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
@@ -135,8 +136,13 @@ void paintInOrder(const Options& given, const Observer& observer) {
   const FrameSpan wanted = wantedFrames(options, run.numbers);
   StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
   tell(observer, start.note);
-  if (start.span.begin == start.span.end) return;
-  const DoubtfulFrames doubtful = requireOwnFrames(options.continuation, run, start, stopIfWanted);
+  const FrameReplacement replacement(
+      run, start.span, requireOwnFrames(options.continuation, run, start, stopIfWanted),
+      options.continuation.waysOut);
+  if (start.span.begin == start.span.end) {
+    replacement.finish();
+    return;
+  }
   const auto countWritten = [&](int j) {  // all before frame j
     stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
   };
@@ -194,6 +200,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
   Synthesizer synthesizer(film.exemplar(), options.synthesis, &stops);
   FrameWriter writer(std::move(form));
   RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
+  replacement.begin();
   journal.discardOldStates();
 
   const bool dumps = options.dumpGuidesDirectory.has_value();
@@ -216,11 +223,8 @@ void paintInOrder(const Options& given, const Observer& observer) {
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
     const Digest digest =
-        writer.write(outPaths[at(j)], painted.picture, painted.guides, [&](const Digest& written) {
-          if (doubtful.count(j) != 0) {
-            requireSame(outPaths[at(j)], written, options.continuation.waysOut);
-          }
-        });
+        writer.write(outPaths[at(j)], painted.picture, painted.guides,
+                     [&](const Digest& written) { replacement.beforeWriting(j, written); });
     if (dumps) {
       const std::string folder = dumpFolder(options, "target");
       dumpGuides(folder, numbers[at(j)], painted.guides);
@@ -248,6 +252,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
     goOn(stages.guide, start, stopping, synthesizer);
     runFrames(painter.painted(), stages, shares, events);
   });
+  replacement.finish();
   lock.setUnfinished(false);
 }
 

@@ -285,6 +285,7 @@ StartingPoint findStart(const ContinuationOptions& options, FrameSpan wanted,
     for (int j = wanted.begin; j < wanted.end && allThere; ++j) allThere = isThere(j);
     if (allThere) {
       start.span.begin = start.span.end;
+      start.known = records;
       start.note = "all frames are painted already";
       return start;
     }

@@ -28,10 +28,13 @@ class LayeredShotTest : public ::testing::Test {
 
   /// @param more    lines of the upper layer.
   /// @param shared  lines above the layers.
-  void writeShot(const std::string& more, const std::string& shared = "") const {
+  void writeShot(const std::string& more, const std::string& shared = "",
+                 const std::string& background = "exemplar") const {
     scene_.write("shot.toml", bytesOf(shared +
                                       "out-path = \"shot/%05d.png\"\n"
-                                      "background = \"exemplar\"\n"
+                                      "background = \"" +
+                                      background +
+                                      "\"\n"
                                       "src-path = \"src/%05d.png\"\n"
                                       "src-mask-path = \"mask/%05d.png\"\n"
                                       "blur-sigma = 1\n"
@@ -51,6 +54,15 @@ class LayeredShotTest : public ::testing::Test {
     std::vector<std::string> arguments = {"layers", "shot.toml"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return runProcess(FLUIDYMATION_PROGRAM, arguments, setup);
+  }
+
+  /// Goes on, until it gets that signal just before so many calls to the disk.
+  [[nodiscard]] ProcessResult runToCall(int call, int signal) const {
+    ProcessSetup setup;
+    setup.environment = {{"LD_PRELOAD", FLUIDYMATION_KILL_AT_CALL},
+                         {"FLUIDYMATION_KILL_AT", std::to_string(call)},
+                         {"FLUIDYMATION_KILL_SIGNAL", std::to_string(signal)}};
+    return run({"--quiet", "--resume"}, setup);
   }
 
   using Painting = SmallScene::Painting;
@@ -192,6 +204,52 @@ TEST_F(LayeredShotTest, OffersNoWayOutThatLayersLack) {
         << result.err;
     scene_.write(frame, painted);
   }
+}
+
+TEST_F(LayeredShotTest, StoppedInTheCompositeAfterAChangeGoesOn) {
+  if (kSanitized) GTEST_SKIP() << "the sanitizer's runtime has to be loaded first";
+  writeShot("", "", "#204060");
+  ASSERT_EQ(run({"--quiet"}).exitCode, 0);
+  const std::vector<Painting> whole = painted();
+  for (const int signal : {SIGINT, SIGKILL}) {
+    bool ended = true;
+    int stops = 0;
+    for (int call = 1; ended; call += 4) {
+      SCOPED_TRACE("signal " + std::to_string(signal) + " at call " + std::to_string(call));
+      writeShot("");
+      ASSERT_EQ(run({"--quiet", "--resume"}).exitCode, 0);
+      ASSERT_FALSE(painted()[0] == whole[0]);
+      writeShot("", "", "#204060");
+      const ProcessResult stopped = runToCall(call, signal);
+      ended = stopped.exitCode != 0;
+      stops += ended ? 1 : 0;
+      const ProcessResult result = run({"--quiet", "--resume"});
+      ASSERT_EQ(result.exitCode, 0) << result.err;
+      ASSERT_TRUE(painted() == whole);
+      ASSERT_EQ(scene_.names("shot/.fluidymation"), std::vector<std::string>{"times.json"});
+    }
+    EXPECT_GE(stops, kFrames);
+  }
+}
+
+TEST_F(LayeredShotTest, DoesNotReplaceACompositeThatWasRetouchedMeanwhile) {
+  if (kSanitized) GTEST_SKIP() << "the sanitizer's runtime has to be loaded first";
+  ASSERT_EQ(run({"--quiet"}).exitCode, 0);
+  const Painting before = painted()[0];
+  writeShot("", "", "#204060");
+  for (int call = 1; filesOf(scene_.file("shot")).at("00001.png") == before.at("00001.png");
+       ++call) {
+    ASSERT_EQ(runToCall(call, SIGKILL).signal, SIGKILL);
+  }
+  EXPECT_EQ(scene_.read("shot/00003.png"), before.at("00003.png"));
+  scene_.write("shot/00003.png", bytesOf("retouched"));
+  const Painting stopped = filesOf(scene_.file("shot"));
+  writeShot("seed = 5\n", "", "#204060");
+  scene_.remove("shot/layers/high");
+  EXPECT_TRUE(failedNaming(1, "shot/00003.png: is there already, and not as a run",
+                           {"wanted --overwrite"}, run({"--quiet", "--resume"})));
+  EXPECT_TRUE(filesOf(scene_.file("shot")) == stopped);
+  EXPECT_TRUE(scene_.names("shot/layers/high").empty());  // before any layer is painted
 }
 
 TEST_F(LayeredShotTest, PaintsNothingWhereAnyLayerIsWrong) {

@@ -1,6 +1,7 @@
 // Preloaded into a program (LD_PRELOAD), ends it by SIGKILL just before the call number
 // FLUIDYMATION_KILL_AT (from 1) of those that change what is on the disk: as kill -9 would, or a
-// machine that stops, at a moment that can be told.
+// machine that stops, at a moment that can be told. FLUIDYMATION_KILL_SIGNAL is the number of
+// another signal to send instead.
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -11,13 +12,15 @@
 
 namespace {
 
+int numberIn(const char* variable, int otherwise) {
+  const char* const text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
 void count() {
   static std::atomic<int> calls{0};
-  static const int wanted = [] {
-    const char* const text = std::getenv("FLUIDYMATION_KILL_AT");
-    return text == nullptr ? 0 : std::atoi(text);
-  }();
-  if (++calls == wanted) kill(getpid(), SIGKILL);
+  static const int wanted = numberIn("FLUIDYMATION_KILL_AT", 0);
+  if (++calls == wanted) kill(getpid(), numberIn("FLUIDYMATION_KILL_SIGNAL", SIGKILL));
 }
 
 template <typename Function>

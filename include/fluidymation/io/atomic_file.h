@@ -29,6 +29,11 @@ void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& f
 void replaceAtomically(const std::string& path,
                        const std::function<void(const std::string& temporary)>& write);
 
+/// Appends a line to a file of lines that is there, and flushes it to disk. A process that is killed
+/// meanwhile may leave a part of the line: readers must not count one without its end.
+/// @throws Error naming `path` and the system's reason.
+void appendLine(const std::string& path, const std::string& line);
+
 /// The file that a temporary one of `writeAtomically` would have become: "a.png" for
 /// ".a.png.tmp.LETTERS"; nothing for any other name. Both are names without a folder. Of names that
 /// are longer than 200 bytes only these 200.

@@ -29,6 +29,7 @@ TEST(RunFilesTest, KnowsItsOwnNamesOnly) {
   EXPECT_FALSE(files.isFrameOrManifest("b00012.png"));
   EXPECT_TRUE(files.isHidden("astate-7.bin"));
   EXPECT_TRUE(files.isHidden("atimes.json"));
+  EXPECT_TRUE(files.isHidden("areplaceable.txt"));
   EXPECT_FALSE(files.isHidden("state-7.bin"));
 }
 
