@@ -69,7 +69,7 @@ class Storm:
         self.foreign = {}  # names and bytes of what somebody has put there
         self.edits = 0
         self.granted = set()  # names of those of them that a --restart was allowed to replace, and may not have yet
-        self.painted_in_parts = False
+        self.has_parts = False  # painted by runs over parts of the shot
         self.seed = SEEDS[0]
         self.counts = collections.Counter()
         self.references = {}  # the frames of undisturbed runs, by seed
@@ -180,6 +180,8 @@ class Storm:
                 raise Broken(f"{name}, which somebody else has made, was replaced")
             del self.foreign[name]
             self.granted.discard(name)
+        if ("--render-frames" in more or "--skip-existing" in more) and code not in (1, 2):
+            self.has_parts = True
         if "--restart" in more and code not in (1, 2):
             self.granted |= set(self.foreign)  # stopped, it is gone on with by --resume, which may as much
         if "--skip-existing" in more:
@@ -194,11 +196,11 @@ class Storm:
             if left:
                 raise Broken("temporary files stayed: " + ", ".join(left))
         if code == 0:
-            self.check_success(more, after)
+            self.check_success(more, text, after)
         if code == 1:
             self.check_offers(more, text)
 
-    def check_success(self, more, after):
+    def check_success(self, more, text, after):
         first, last = 1, FRAMES
         if "--render-frames" in more:
             first, last = map(int, more[more.index("--render-frames") + 1].split("-"))
@@ -209,9 +211,13 @@ class Storm:
             if "--skip-existing" not in more and name in self.foreign:
                 raise Broken(f"{name} is somebody else's after a run that succeeded")
         if "--render-frames" in more or "--skip-existing" in more:
-            self.painted_in_parts = True
             return  # other frames may be edited ones
-        self.check_bytes(more)
+        if f"painting {FRAMES} frames" in text:
+            self.has_parts = False
+        if not self.has_parts:  # a part may have started afresh, and differ
+            self.counts["compared with an undisturbed run"] += 1
+            if after != self.references[self.seed]:
+                raise Broken(f"the frames are not those of an undisturbed run with --seed {self.seed}")
         verified = subprocess.run([self.program, "--verify", self.out / "fluidymation.json"], capture_output=True)
         if verified.returncode != 0:
             raise Broken("--verify: " + verified.stdout.decode() + verified.stderr.decode())
@@ -253,6 +259,8 @@ class Storm:
         if word < 0.05:
             shutil.rmtree(self.out, ignore_errors=True)
             self.foreign.clear()
+            self.granted.clear()
+            self.has_parts = False
             self.history = ["a new folder"]
         elif word < 0.35:
             self.history.append("somebody: " + self.edit())

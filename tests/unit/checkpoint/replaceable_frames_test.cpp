@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "fluidymation/core/error.h"
 #include "fluidymation/io/atomic_file.h"
@@ -40,10 +41,10 @@ TEST(ReplaceableFrames, OfDamagedLinesAreNone) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("list.txt");
   const std::string good = lineOf(3, kFirst);
-  for (const std::string& text :
-       {std::string(), std::string("\n\n"), good.substr(0, good.size() - 1), " " + good, "3\n",
-        std::string("3 \n"), "x" + good, "99999999999999999999" + good,
-        good.substr(0, good.size() - 2) + "\n", good.substr(0, good.size() - 1) + "0\n"}) {
+  for (const std::string& text : std::vector<std::string>{
+           std::string(), std::string("\n\n"), good.substr(0, good.size() - 1), " " + good, "3\n",
+           std::string("3 \n"), "x" + good, "99999999999999999999" + good,
+           good.substr(0, good.size() - 2) + "\n", good.substr(0, good.size() - 1) + "0\n"}) {
     test::writeBytes(path, test::bytesOf(text));
     EXPECT_TRUE(readReplaceableFrames(path).empty()) << text;
     test::writeBytes(path, test::bytesOf(text + "\n" + good));
