@@ -27,7 +27,7 @@ void requireKey(const std::string& key, const std::string& place, const std::vec
 
 /// The option of a line such as `border-width = 12`. CLI11 reads the value: quotes, lists.
 /// @throws UsageError naming the line where it is none of `table`, or has no value.
-[[nodiscard]] ConfigEntry entryOf(const ConfigLine& line, const std::vector<Spec>& table);
+[[nodiscard]] ConfigEntry entryOf(const ConfigLine& from, const std::vector<Spec>& table);
 
 /// @throws UsageError where an option is given twice.
 void requireOnce(const std::vector<ConfigEntry>& entries);

@@ -45,13 +45,12 @@ void requirePart(const ConfigEntry& entry, bool inLayer) {
 
 /// "horse" of "[layer.horse]". @throws UsageError naming the line.
 [[nodiscard]] std::string layerName(const ConfigLine& line) {
-  constexpr const char* kBegin = "[layer.";
-  constexpr std::size_t kBeginLength = 7;
+  constexpr std::string_view kBegin = "[layer.";
   constexpr const char* kLetters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
   const std::string& text = line.text;
-  if (text.compare(0, kBeginLength, kBegin) == 0 && text.back() == ']') {
-    const std::string name = text.substr(kBeginLength, text.size() - kBeginLength - 1);
+  if (text.compare(0, kBegin.size(), kBegin) == 0 && text.back() == ']') {
+    std::string name = text.substr(kBegin.size(), text.size() - kBegin.size() - 1);
     if (!name.empty() && name.size() <= kLongestName &&
         name.find_first_not_of(kLetters) == std::string::npos) {
       return name;
