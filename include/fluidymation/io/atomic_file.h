@@ -29,8 +29,8 @@ void writeAtomically(const std::string& path, const std::vector<std::uint8_t>& f
 void replaceAtomically(const std::string& path,
                        const std::function<void(const std::string& temporary)>& write);
 
-/// Appends a line to a file of lines that is there, and flushes it to disk. A process that is killed
-/// meanwhile may leave a part of the line: readers must not count one without its end.
+/// Appends a line to a file of lines that is there, and flushes it to disk. A process that is
+/// killed meanwhile may leave a part of the line: readers must not count one without its end.
 /// @throws Error naming `path` and the system's reason.
 void appendLine(const std::string& path, const std::string& line);
 
