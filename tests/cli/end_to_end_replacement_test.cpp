@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/finished_run.h"
 #include "support/sanitizers.h"
 #include "support/small_scene.h"
 
@@ -17,7 +18,6 @@ namespace {
 using Painting = SmallScene::Painting;
 
 constexpr int kFrames = 6;
-constexpr const char* kManifest = "out/fluidymation.json";
 
 /// Frames slow enough to be stopped between, with a state after every second.
 ToolOptions withSeed(const std::string& seed, ToolOptions more = {}) {
@@ -62,16 +62,7 @@ class Replacement : public ::testing::Test {
 
   /// Whether all is there as if the other run had not been stopped, and nothing else.
   [[nodiscard]] ::testing::AssertionResult isComplete() const {
-    if (filesOf(scene_.file("out")) != expected_) {
-      return ::testing::AssertionFailure() << "frames differ";
-    }
-    if (scene_.read(kManifest) != manifest_) {
-      return ::testing::AssertionFailure() << "the manifest differs";
-    }
-    if (scene_.names("out/.fluidymation") != std::vector<std::string>{"times.json"}) {
-      return ::testing::AssertionFailure() << "something is left over";
-    }
-    return ::testing::AssertionSuccess();
+    return isFinished(scene_, expected_, manifest_);
   }
 
   SmallScene scene_;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/finished_run.h"
 #include "support/sanitizers.h"
 #include "support/small_scene.h"
 
@@ -19,7 +20,6 @@ namespace {
 using Painting = SmallScene::Painting;
 
 constexpr int kFrames = 6;
-constexpr const char* kManifest = "out/fluidymation.json";
 
 /// Paints all frames of a scene of so many, with a state after each.
 ToolOptions everyFrame(ToolOptions more = {}) {
@@ -46,16 +46,7 @@ class Resume : public ::testing::Test {
 
   /// Whether all is there as if nothing had happened, and nothing else.
   [[nodiscard]] ::testing::AssertionResult isComplete() const {
-    if (filesOf(scene_.file("out")) != expected_) {
-      return ::testing::AssertionFailure() << "frames differ";
-    }
-    if (scene_.read(kManifest) != manifest_) {
-      return ::testing::AssertionFailure() << "the manifest differs";
-    }
-    if (scene_.names("out/.fluidymation") != std::vector<std::string>{"times.json"}) {
-      return ::testing::AssertionFailure() << "something is left over";
-    }
-    return ::testing::AssertionSuccess();
+    return isFinished(scene_, expected_, manifest_);
   }
 
   /// Ends a run as soon as it has told of `frames` frames.
