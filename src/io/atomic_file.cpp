@@ -119,7 +119,9 @@ class TemporaryFile {
     if (!published_) std::remove(temporary_.c_str());
   }
 
+  /// Nothing may come as a null pointer, which fwrite must not be given.
   void append(const void* data, std::size_t byteCount) {
+    if (byteCount == 0) return;
     errno = 0;
     if (std::fwrite(data, 1, byteCount, file_) != byteCount) failToWrite(path_, errno);
   }

@@ -61,6 +61,16 @@ TEST(AtomicFile, WritesAndReplaces) {
   EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
+// An empty list has no bytes to point at: undefined behaviour is reported here by its sanitizer.
+TEST(AtomicFile, WritesEmptyFiles) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  writeText(path, "one");
+  writeAtomically(path, std::vector<std::uint8_t>{});
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_EQ(std::filesystem::file_size(path), 0U);
+}
+
 TEST(AtomicFile, ShowsNothingUnderItsNameBeforeTheEnd) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.txt");
