@@ -2,13 +2,15 @@
 """Paints pairs of exemplar and target with several sets of options and compares the figures.
 
     measure.py --judge quality.py --pairs PAIRS.tsv --variants VARIANTS.tsv --out DIR
-               [--data DIR] [--program FILE ...] [--frames N] [--jobs N] [--pair NAME ...]
+               [--data DIR] [--program FILE ...] [--frames N] [--jobs N] [--pair NAME ...] [--masks-as-given]
 
 --judge is a program that compares a painting with its exemplar and target (`judge_command` has its
 options), and writes JSON: {"metrics": {row: {"title": ..., "value": ..., "score": ...}}}. PAIRS.tsv
 has the columns name, exemplar folder (with rgb/ and mask/), target folder, first target frame, mask
 blur (sigma in px, for both sequences), further options; "{data}" in a folder stands for --data. VARIANTS.tsv has the columns name, options and, if wanted, the program to use
 instead of --program. Lines that begin with "#" are skipped.
+
+With --masks-as-given the tool smooths the masks by its own defaults, and the judge does not smooth them.
 
 What has been painted and judged already is kept as long as program, judge and command are the same.
 Writes DIR/figures.tsv (variant, pair, row, value) and DIR/table.md (rows x variants, the mean over
@@ -70,11 +72,18 @@ def settings(words):
     return dict(zip(names, values))
 
 
-def judge_command(judge, pair, options, frames, out, result):
-    """The command line that judges what `paint_command` has painted, with the same masks."""
+def smoothing(options, masks_as_given):
+    """What the judge has to be told to see the masks that the tool sees; nothing where it is to see them as given."""
+    if masks_as_given:
+        return []
     if "--target-blur-sigma" in options:
         sys.exit("measure.py: --target-blur-sigma: the judge smooths both sequences alike")
     threshold = options.get("--mask-threshold", MASK_THRESHOLD)
+    return ["--mask-blur", options["--blur-sigma"], "--mask-threshold", threshold]
+
+
+def judge_command(judge, pair, smoothed, frames, out, result):
+    """The command line that judges what `paint_command` has painted, with masks that are `smoothed` like this."""
     exemplar = pathlib.Path(pair["exemplar"])
     return [
         "/usr/bin/python3", judge, "--quick",
@@ -83,7 +92,7 @@ def judge_command(judge, pair, options, frames, out, result):
         "--target-mask", str(pathlib.Path(pair["target"]) / "%05d.png"),
         "--target-start", pair["start"], "--frames", str(frames),
         "--output", str(out / "%05d.png"), "--output-start", pair["start"],
-        "--mask-blur", options["--blur-sigma"], "--mask-threshold", threshold,
+        *smoothed,
         "--json", str(result),
     ]  # fmt: skip
 
@@ -111,13 +120,16 @@ def measure(arguments, pair, variant):
     program = variant["program"] or arguments.program
     # What a variant says replaces what the pair says
     options = {
-        "--blur-sigma": pair["blur"],
+        **({} if arguments.masks_as_given else {"--blur-sigma": pair["blur"]}),
         **settings(shlex.split(pair["options"])),
         **settings(shlex.split(variant["options"])),
     }
     words = [word for option in options.items() for word in option]
     command = paint_command(program, pair, words, arguments.frames, folder)
-    stamp = "\n".join([digest(program), digest(arguments.judge), shlex.join(command), ""])
+    smoothed = smoothing(options, arguments.masks_as_given)
+    stamp = "\n".join(
+        [digest(program), digest(arguments.judge), shlex.join(command), shlex.join(smoothed), ""]
+    )
     result = folder / "figures.json"
     if result.exists() and (folder / "command").read_text(encoding="utf-8") == stamp:
         return json.loads(result.read_text(encoding="utf-8"))
@@ -125,7 +137,7 @@ def measure(arguments, pair, variant):
     folder.mkdir(parents=True)
     seconds = run(command, {**os.environ, "OMP_WAIT_POLICY": "passive"})
     judged = folder / "judged.json"
-    run(judge_command(arguments.judge, pair, options, arguments.frames, folder, judged))
+    run(judge_command(arguments.judge, pair, smoothed, arguments.frames, folder, judged))
     metrics = json.loads(judged.read_text(encoding="utf-8"))["metrics"]
     figures = {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
     painted = max(1, len(list(folder.glob("*.png"))))
@@ -167,6 +179,7 @@ def main():
     parser.add_argument("--frames", type=int, default=16)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--pair", action="append", help="only this pair; may be repeated")
+    parser.add_argument("--masks-as-given", action="store_true")
     arguments = parser.parse_args()
 
     pairs = list(lines(arguments.pairs, ["name", "exemplar", "target", "start", "blur", "options"]))
