@@ -15,22 +15,32 @@
 namespace fluidymation {
 namespace {
 
-/// What the rows look like once libpng has expanded them to RGBA.
+/// Which samples libpng makes of a pixel.
+enum class Samples {
+  kRgba,
+  kAsStored,  ///< gray or RGB, and alpha where the file says anything about it
+};
+
+/// What the rows look like once libpng has expanded them.
 struct RowLayout {
-  bool wide = false;  ///< 16 bits a sample, else 8
+  bool wide = false;         ///< 16 bits a sample, else 8
+  std::size_t channels = 4;  ///< samples of a pixel: 1 gray, 2 gray and alpha, 3 RGB, 4 RGBA
   std::size_t rowBytes = 0;
   int passes = 1;      ///< 7 when interlaced
   double gamma = 0.0;  ///< the file's encoding exponent, to be undone; 0 when it is sRGB
 };
 
-/// Asks libpng for RGBA of 8 or 16 bits whatever the file has. Runs inside `libpng::attempt`.
-void expandToRgba(png_structp png, png_infop info, RowLayout& layout) {
+/// Asks libpng for samples of 8 or 16 bits whatever the file has. Runs inside `libpng::attempt`.
+void expand(png_structp png, png_infop info, Samples samples, RowLayout& layout) {
   png_set_expand(png);  // palette to RGB, 1, 2 and 4 bits to 8, tRNS to alpha
-  png_set_gray_to_rgb(png);
-  png_set_add_alpha(png, 0xFFFF, PNG_FILLER_AFTER);
+  if (samples == Samples::kRgba) {
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xFFFF, PNG_FILLER_AFTER);
+  }
   layout.passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
   layout.wide = png_get_bit_depth(png, info) == 16;
+  layout.channels = png_get_channels(png, info);
   layout.rowBytes = png_get_rowbytes(png, info);
 }
 
@@ -48,16 +58,53 @@ void expandToRgba(png_structp png, png_infop info, RowLayout& layout) {
   return table;
 }
 
+/// Sample i of a row.
+[[nodiscard]] std::size_t sampleAt(const png_byte* row, bool wide, std::size_t i) {
+  if (!wide) return row[i];
+  return (std::size_t{row[2 * i]} << 8U) | row[2 * i + 1];
+}
+
+[[nodiscard]] float largestSample(bool wide) { return wide ? 65535.0F : 255.0F; }
+
 void decodeRow(const png_byte* row, bool wide, const float* table, int width, Rgba* pixels) {
-  const auto sample = [row, wide](std::size_t i) -> std::size_t {
-    if (!wide) return row[i];
-    return (std::size_t{row[2 * i]} << 8U) | row[2 * i + 1];
-  };
-  const float largest = wide ? 65535.0F : 255.0F;
+  const auto sample = [row, wide](std::size_t i) { return sampleAt(row, wide, i); };
+  const float largest = largestSample(wide);
   for (int x = 0; x < width; ++x) {
     const std::size_t i = 4 * static_cast<std::size_t>(x);
     pixels[x] = {table[sample(i)], table[sample(i + 1)], table[sample(i + 2)],
                  static_cast<float>(sample(i + 3)) / largest};
+  }
+}
+
+/// Rec. 709 weights; gray stays exact.
+[[nodiscard]] float luminance(float r, float g, float b) {
+  if (r == g && g == b) return r;
+  return 0.2126F * r + 0.7152F * g + 0.0722F * b;
+}
+
+/// `width` pixels of a row with samples as stored.
+void decodeCoverage(const png_byte* row, const RowLayout& layout, MaskChannel channel,
+                    const float* table, int width, float* coverage) {
+  const std::size_t channels = layout.channels;
+  const bool hasAlpha = channels % 2 == 0;
+  if (channel == MaskChannel::kAlpha && !hasAlpha) {
+    std::fill_n(coverage, width, 1.0F);
+    return;
+  }
+  if (channels == 1 && !layout.wide) {  // what masks mostly are
+    for (int x = 0; x < width; ++x) coverage[x] = table[row[x]];
+    return;
+  }
+  for (int x = 0; x < width; ++x) {
+    const std::size_t first = channels * static_cast<std::size_t>(x);
+    const auto sample = [&](std::size_t i) { return sampleAt(row, layout.wide, first + i); };
+    if (channel == MaskChannel::kAlpha) {
+      coverage[x] = static_cast<float>(sample(channels - 1)) / largestSample(layout.wide);
+    } else if (channels < 3) {
+      coverage[x] = table[sample(0)];
+    } else {
+      coverage[x] = luminance(table[sample(0)], table[sample(1)], table[sample(2)]);
+    }
   }
 }
 
@@ -71,7 +118,8 @@ struct OpenPicture {
 };
 
 /// @throws Error also when the size is not `expected`.
-[[nodiscard]] OpenPicture openPicture(const std::string& path, std::optional<Size> expected) {
+[[nodiscard]] OpenPicture openPicture(const std::string& path, std::optional<Size> expected,
+                                      Samples samples = Samples::kRgba) {
   OpenPicture picture;
   picture.input = openPng(path);
   picture.header = readHeader(picture.input.file.get(), path);
@@ -90,7 +138,7 @@ struct OpenPicture {
     picture.layout.gamma = declaredGamma(png, info);
     picture.mayBeTransparent = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
                                png_get_valid(png, info, PNG_INFO_tRNS) != 0;
-    expandToRgba(png, info, picture.layout);
+    expand(png, info, samples, picture.layout);
   });
   // libpng reads the header once more, and somebody may write to the file meanwhile. The rows have
   // libpng's length, so nothing else than the size that was checked may pass.
@@ -224,14 +272,11 @@ bool hasTransparency(const std::string& path, std::optional<Size> expected) {
 
 Image<float> readCoverage(const std::string& path, MaskChannel channel,
                           std::optional<Size> expected) {
-  const Image<Rgba> image = readPng(path, expected);
-  const auto luminance = [](const Rgba& p) {
-    if (p.r == p.g && p.g == p.b) return p.r;  // gray stays exact
-    return 0.2126F * p.r + 0.7152F * p.g + 0.0722F * p.b;
-  };
-  Image<float> coverage(image.size());
-  std::transform(image.begin(), image.end(), coverage.begin(), [&](const Rgba& p) {
-    return channel == MaskChannel::kAlpha ? p.a : luminance(p);
+  const OpenPicture picture = openPicture(path, expected, Samples::kAsStored);
+  const std::vector<float> table = decodingTable(picture.layout);
+  Image<float> coverage(picture.header.size);
+  readRows(picture, [&](int y, const png_byte* row) {
+    decodeCoverage(row, picture.layout, channel, table.data(), coverage.width(), coverage.row(y));
   });
   return coverage;
 }

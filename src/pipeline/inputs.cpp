@@ -171,10 +171,11 @@ MaskChannel maskChannel(const InputSequence& masks, const std::function<void()>&
 
 InputMask readMask(const InputSequence& masks, MaskChannel channel, int frame) {
   const std::string& path = masks.files.paths[static_cast<std::size_t>(frame)];
-  const Image<float> stored = readCoverage(path, channel, masks.stored);
+  Image<float> stored = readCoverage(path, channel, masks.stored);
   requireUnchanged(path, masks.identities[static_cast<std::size_t>(frame)]);
   const bool soft =
       std::any_of(stored.begin(), stored.end(), [](float c) { return c > 0.0F && c < 1.0F; });
+  if (masks.scaled == masks.stored) return {std::move(stored), soft};
   return {resize(stored, masks.scaled), soft};
 }
 
