@@ -21,9 +21,8 @@ struct ExtendedNormals {
   SolveReport report;
 };
 
-ExtendedNormals extendNormals(const Mask& mask, const Image<float>& distance) {
-  const int marginPx = 1 + gaussianReach(kStaircaseSigmaPx);
-  const Box box = fromEvenPixel(grown(boundingBox(mask), marginPx, mask.size()));
+ExtendedNormals extendNormals(const Mask& mask, const Image<float>& distance, Pixel origin) {
+  const Box box = fromEvenPixel(grown(boundingBox(mask), directionMarginPx(), mask.size()));
   const Mask part = cropped(mask, box);
   const Mask border = borderPixels(part);
   const Image<float> smooth = motionDistance(cropped(distance, box));
@@ -36,7 +35,8 @@ ExtendedNormals extendNormals(const Mask& mask, const Image<float>& distance) {
       if (steepness >= kFlatGradient) result.normals(x, y) = (-1.0F / steepness) * gradient;
     }
   });
-  result.report = diffuse(part, border, result.normals, box.begin());
+  result.report =
+      diffuse(part, border, result.normals, {origin.x + box.beginX, origin.y + box.beginY});
   return result;
 }
 
@@ -51,8 +51,10 @@ bool isZero(Vec2 v) { return v.x == 0.0F && v.y == 0.0F; }
 
 }  // namespace
 
+int directionMarginPx() { return 1 + gaussianReach(kStaircaseSigmaPx); }
+
 DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
-                             const Image<float>& distance, Image<Vec2> previous) {
+                             const Image<float>& distance, Image<Vec2> previous, Pixel origin) {
   DirectionField result;
   result.direction = previous.empty() ? Image<Vec2>(mask.size()) : std::move(previous);
   // What moves or has moved knows its direction; whether any pixel has to ask for more
@@ -75,7 +77,7 @@ DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
   });
   if (!asks) return result;
 
-  const ExtendedNormals extended = extendNormals(mask, distance);
+  const ExtendedNormals extended = extendNormals(mask, distance, origin);
   result.report = extended.report;
   forEachRow(extended.box.size().height, [&](int row) {
     const int y = extended.box.beginY + row;

@@ -137,31 +137,41 @@ bool GuideStream::drawsLines() const {
   return lines.found();
 }
 
-void GuideStream::addShape(const PackedShape& shape, GuideFrame& guides) {
-  if (shapes_.repeats(nextFrame_)) {
-    guides.mask = shape.mask();
+void GuideStream::addShape(const PackedShape& shape, const Box& box, GuideFrame& guides) {
+  if (shapes_.repeats(nextFrame_) && box == held_.box) {
+    guides.mask = shape.packedMask().unpack(box);
     guides.distance = held_.distance.clone();
     guides.coverage = held_.coverage.clone();
     guides.shape = held_.shape.clone();
   } else {
-    shape.addTo(guides);
+    shape.addTo(guides, box);
     if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
     held_ = {};
     if (shapes_.repeats(nextFrame_ + 1)) {
-      held_ = {guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
+      held_ = {box, guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
     }
   }
 }
 
 GuideFrame GuideStream::next() {
+  return nextWithin({0, 0, shapes_.size().width, shapes_.size().height});
+}
+
+GuidePart GuideStream::nextPart(int marginPx) {
+  const int widest = std::max({marginPx, kShapeMarginPx, directionMarginPx()});
+  const Box box = fromEvenPixel(grown(shapes_.box(nextFrame_), widest, shapes_.size()));
+  return {{shapes_.size(), box}, nextWithin(box)};
+}
+
+GuideFrame GuideStream::nextWithin(const Box& box) {
   assert(nextFrame_ < frameCount());
   const PackedShape shape = shapes_.shape(nextFrame_);
   const PackedMask& mask = shape.packedMask();
   GuideFrame guides;
-  addShape(shape, guides);
-  guides.accBackward = scatter(mask, backward_->next(movingFrames()));
+  addShape(shape, box, guides);
+  guides.accBackward = scatter(mask, backward_->next(movingFrames()), box);
   const std::vector<Vec2> flow = this->flow(nextFrame_);
-  guides.flow = scatter(mask, flow);
+  guides.flow = scatter(mask, flow, box);
   const bool isStill =
       shapes_.repeats(nextFrame_) &&
       std::all_of(flow.begin(), flow.end(), [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; });
@@ -170,7 +180,7 @@ GuideFrame GuideStream::next() {
   } else {
     last_.accForward = accumulateForward(last_.mask, last_.accForward, mask, flow);
   }
-  guides.accForward = scatter(mask, last_.accForward);
+  guides.accForward = scatter(mask, last_.accForward, box);
   if (!keeps_) {  // given away, and not asked for again
     shapes_.drop(nextFrame_);
     if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
@@ -178,16 +188,16 @@ GuideFrame GuideStream::next() {
 
   const SolveReport& diffusion = flows_[at(nextFrame_)].diffusion;
   Image<Vec2> previous;
-  if (nextFrame_ > 0) previous = scatter(last_.mask, last_.direction);
+  if (nextFrame_ > 0) previous = scatter(last_.mask, last_.direction, box);
   if (isStill) {  // every pixel keeps the direction that it has
     guides.direction = std::move(previous);
     guides.diffusion = diffusion;
   } else {
     DirectionField direction =
-        flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous));
+        flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous), box.begin());
     guides.direction = std::move(direction.direction);
     guides.diffusion = worse(diffusion, direction.report);
-    last_.direction = gather(mask, guides.direction);
+    last_.direction = gather(mask, guides.direction, box);
   }
   last_.mask = mask;
   ++nextFrame_;

@@ -15,12 +15,18 @@ constexpr int kNone = -1;
 }  // namespace
 
 Image<float> TargetAges::next(const Mask& mask) {
-  const bool first = mask_.empty();
-  if (first) {
-    mask_ = Mask(mask.size());
-    ages_ = Image<float>(mask.size());
-  }
-  grown_ = !first && !std::equal(mask.begin(), mask.end(), mask_.begin());
+  return next(mask, {0, 0, mask.width(), mask.height()});
+}
+
+Image<float> TargetAges::next(const Mask& mask, const Box& box) {
+  const std::size_t before = countInside(mask_);
+  mask_ = recropped(mask_, box_, box);
+  ages_ = recropped(ages_, box_, box);
+  box_ = box;
+  const bool isCut = countInside(mask_) != before;
+  const bool isSame = !isCut && std::equal(mask.begin(), mask.end(), mask_.begin());
+  grown_ = !isFirst_ && !isSame;
+  isFirst_ = false;
   for (std::size_t i = 0; i < mask.pixelCount(); ++i) {
     float& age = ages_.data()[i];
     const bool stays = mask.data()[i] != 0 && mask_.data()[i] != 0;

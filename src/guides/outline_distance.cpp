@@ -60,7 +60,9 @@ Image<std::int16_t> nearestInColumn(const Image<float>& down) {
 
 /// The nearest crossing of every pixel: lower envelope of the parabolas (x - i)^2 + height(i)^2,
 /// row by row.
-Image<Site> nearestSites(const Image<float>& down) {
+/// @param left  x of the first column in the frame. The parabolas meet at places of the frame, so
+///   that these are rounded alike in all its parts.
+Image<Site> nearestSites(const Image<float>& down, int left) {
   const Image<std::int16_t> column = nearestInColumn(down);
   const int width = down.width();
   Image<Site> nearest(down.size());
@@ -79,8 +81,9 @@ Image<Site> nearestSites(const Image<float>& down) {
       double begin = 0.0;
       while (!pieces.empty()) {
         const Piece& last = pieces.back();
-        const double c = last.centre;
-        begin = 0.5 * ((height - last.height) / (i - c) + i + c);
+        const double c = left + last.centre;
+        const double here = left + i;
+        begin = 0.5 * ((height - last.height) / (here - c) + here + c);
         if (begin > last.begin) break;
         pieces.pop_back();
         begin = 0.0;
@@ -89,7 +92,7 @@ Image<Site> nearestSites(const Image<float>& down) {
     }
     std::size_t piece = 0;
     for (int x = 0; x < width && !pieces.empty(); ++x) {
-      while (piece + 1 < pieces.size() && pieces[piece + 1].begin <= x) ++piece;
+      while (piece + 1 < pieces.size() && pieces[piece + 1].begin <= left + x) ++piece;
       const int i = pieces[piece].centre;
       nearest(x, y) = {static_cast<std::int16_t>(i), column(i, y)};
     }
@@ -193,12 +196,12 @@ class Polygon {
 
 }  // namespace
 
-Image<float> outlineDistance(const Mask& mask, const Outline& outline) {
+Image<float> outlineDistance(const Mask& mask, const Outline& outline, Pixel origin) {
   assert(outline.crossingCount() > 0);
   const Crossings crossings = outline.crossings(mask);
   const Polygon polygon(mask, crossings);
-  const Image<Site> onVertical = nearestSites(crossings.down);
-  const Image<Site> onHorizontal = nearestSites(transposed(crossings.right));
+  const Image<Site> onVertical = nearestSites(crossings.down, origin.x);
+  const Image<Site> onHorizontal = nearestSites(transposed(crossings.right), origin.y);
   Image<float> distance(mask.size());
   forEachRow(mask.height(), [&](int y) {
     for (int x = 0; x < mask.width(); ++x) {

@@ -1,10 +1,12 @@
 #include "fluidymation/guides/packed_mask.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -14,10 +16,12 @@ namespace fluidymation {
 
 PackedMask::PackedMask(const Mask& mask)
     : size_(mask.size()), bits_((mask.pixelCount() + kBits - 1) / kBits) {
+  static constexpr std::array<std::uint8_t, kBits> kOutside{};  // as most of a frame is
   const std::uint8_t* pixels = mask.data();
   for (std::size_t w = 0; w < bits_.size(); ++w) {
     const std::size_t first = w * kBits;
     const std::size_t count = std::min(kBits, mask.pixelCount() - first);
+    if (count == kBits && std::memcmp(pixels + first, kOutside.data(), kBits) == 0) continue;
     std::uint64_t word = 0;
     for (std::size_t i = 0; i < count; ++i) {
       word |= static_cast<std::uint64_t>(pixels[first + i] != 0) << i;
@@ -101,15 +105,31 @@ std::vector<Vec2> gather(const PackedMask& mask, const Image<Vec2>& image) {
   return gather(mask, image, {0, 0, image.width(), image.height()});
 }
 
-Image<Vec2> scatter(const PackedMask& mask, const std::vector<Vec2>& values) {
-  Image<Vec2> image(mask.size());
+Image<Vec2> scatter(const PackedMask& mask, const std::vector<Vec2>& values, const Box& box) {
+  Image<Vec2> image(box.size());
+  const std::size_t width = at(mask.size().width);
+  const std::size_t left = at(box.beginX);
   const Vec2* value = values.data();
-  mask.forEachRun([&](std::size_t begin, std::size_t end) {
-    std::copy(value, value + (end - begin), image.data() + begin);
-    value += end - begin;
-  });
+  // Row by row of the whole frame, since values are counted from its begin
+  for (int y = 0; y < mask.size().height; ++y) {
+    const std::size_t from = at(y) * width;
+    const bool isShown = y >= box.beginY && y < box.endY;
+    mask.forEachRun(from, from + width, [&](std::size_t begin, std::size_t end) {
+      const std::size_t first = std::max(begin, from + left);
+      const std::size_t last = std::min(end, from + at(box.endX));
+      if (isShown && first < last) {
+        std::copy(value + (first - begin), value + (last - begin),
+                  image.row(y - box.beginY) + (first - from - left));
+      }
+      value += end - begin;
+    });
+  }
   assert(value == values.data() + values.size());
   return image;
+}
+
+Image<Vec2> scatter(const PackedMask& mask, const std::vector<Vec2>& values) {
+  return scatter(mask, values, {0, 0, mask.size().width, mask.size().height});
 }
 
 }  // namespace fluidymation

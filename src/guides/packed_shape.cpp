@@ -7,17 +7,22 @@
 #include "fluidymation/guides/outline_distance.h"
 
 namespace fluidymation {
+
 Image<float> PackedShape::edgeDistance(const Box& box) const {
-  if (soft_) return cropped(outlineDistance(mask(), outline_), box);
+  if (soft_) return outlineDistance(mask_.unpack(box), outline_, box.begin());
   return continuousDistance(signedDistance(mask_.unpack(box)));
 }
 
 void PackedShape::addTo(GuideFrame& guides) const {
-  guides.mask = mask();
+  addTo(guides, {0, 0, size().width, size().height});
+}
+
+void PackedShape::addTo(GuideFrame& guides, const Box& box) const {
+  guides.mask = mask_.unpack(box);
   if (!soft_) {
     guides.distance = signedDistance(guides.mask);
   } else if (hasEdge(guides.mask)) {
-    const Image<float> distance = outlineDistance(guides.mask, outline_);
+    const Image<float> distance = outlineDistance(guides.mask, outline_, box.begin());
     guides.distance = pixelCentreDistance(guides.mask, distance);
     guides.coverage = coverageOf(distance);
   } else {

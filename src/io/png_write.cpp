@@ -6,6 +6,7 @@
 #include <new>
 
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/index.h"
 #include "fluidymation/io/atomic_file.h"
 #include "fluidymation/io/png.h"
 #include "io/libpng_calls.h"
@@ -142,13 +143,16 @@ void append(std::uint16_t sample, std::uint8_t*& bytes) {
 }
 
 template <typename Pixel>
-[[nodiscard]] std::vector<std::uint8_t> encoded(const Image<Pixel>& image, int compressionLevel,
-                                                const PngContent& content) {
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width()) * sizeof(Pixel));
+[[nodiscard]] std::vector<std::uint8_t> encoded(const Image<Pixel>& image, const FramePart& part,
+                                                int compressionLevel, const PngContent& content) {
+  const std::size_t pixelBytes = (content.opaque ? 3 : 4) * sizeof(Pixel::r);
+  const std::vector<std::uint8_t> nothing(at(part.frame.width) * pixelBytes);
+  std::vector<std::uint8_t> row = nothing;
   const auto rowBytes = [&](int y) -> png_const_bytep {
-    std::uint8_t* bytes = row.data();
+    if (y < part.box.beginY || y >= part.box.endY) return nothing.data();
+    std::uint8_t* bytes = row.data() + at(part.box.beginX) * pixelBytes;
     for (int x = 0; x < image.width(); ++x) {
-      const Pixel& pixel = image(x, y);
+      const Pixel& pixel = image(x, y - part.box.beginY);
       append(pixel.r, bytes);
       append(pixel.g, bytes);
       append(pixel.b, bytes);
@@ -160,7 +164,7 @@ template <typename Pixel>
   const SampleFormat format{kBitsPerByte * static_cast<int>(sizeof(Pixel::r)),
                             content.opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA};
   std::vector<std::uint8_t> file;
-  encode(image.size(), format, content.color, compressionLevel, rowBytes,
+  encode(part.frame, format, content.color, compressionLevel, rowBytes,
          [&file](const void* data, std::size_t byteCount) {
            const auto* const bytes = static_cast<const std::uint8_t*>(data);
            file.insert(file.end(), bytes, bytes + byteCount);
@@ -172,12 +176,22 @@ template <typename Pixel>
 
 std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image, int compressionLevel,
                                     const PngContent& content) {
-  return encoded(image, compressionLevel, content);
+  return encoded(image, FramePart::whole(image.size()), compressionLevel, content);
 }
 
 std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image, int compressionLevel,
                                     const PngContent& content) {
-  return encoded(image, compressionLevel, content);
+  return encoded(image, FramePart::whole(image.size()), compressionLevel, content);
+}
+
+std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image, const FramePart& part,
+                                    int compressionLevel, const PngContent& content) {
+  return encoded(image, part, compressionLevel, content);
+}
+
+std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image, const FramePart& part,
+                                    int compressionLevel, const PngContent& content) {
+  return encoded(image, part, compressionLevel, content);
 }
 
 void writePng(const std::string& path, const Image<Rgba8>& image, int compressionLevel) {

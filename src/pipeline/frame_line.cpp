@@ -21,9 +21,9 @@ class GuidesAhead {
   }
 
   /// Of the next frame. Not called more often than the span has frames.
-  [[nodiscard]] GuideFrame take() {
+  [[nodiscard]] GuidePart take() {
     if (!worker_) return stages_.guide(next_++);
-    GuideFrame guides = coming_.get();
+    GuidePart guides = coming_.get();
     beginNext();
     return guides;
   }
@@ -38,7 +38,7 @@ class GuidesAhead {
   int end_;
   const FrameStages& stages_;
   int next_;
-  std::future<GuideFrame> coming_;
+  std::future<GuidePart> coming_;
   std::optional<Worker> worker_;  ///< none where nothing goes on beside the caller
 };
 

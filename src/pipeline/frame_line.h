@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fluidymation/core/color.h"
+#include "fluidymation/core/frame_part.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/synthesis/nnf.h"
@@ -15,9 +16,10 @@ namespace fluidymation {
 
 /// A painted frame on its way to the disk.
 struct PaintedFrame {
+  FramePart part;  ///< what picture and guides show: all that is painted of the frame
   Image<Lab> picture;
   GuideFrame guides;                        ///< mask and coverage; everything where it is dumped
-  std::optional<NearestNeighborField> nnf;  ///< where it is dumped
+  std::optional<NearestNeighborField> nnf;  ///< where it is dumped, of the whole frame
   /// What is needed to go on after this frame; none where that is not possible.
   std::shared_ptr<const SynthesisState> state;
 };
@@ -30,10 +32,10 @@ struct FrameSpan {
 
 /// What is done with each frame of a target. Each stage gets the frames in order, one at a time.
 struct FrameStages {
-  std::function<GuideFrame(int frame)> guide;
+  std::function<GuidePart(int frame)> guide;
   /// @return  the frames that are finished by this one, in order; they may be fewer in all than
   ///   are painted.
-  std::function<std::vector<PaintedFrame>(int frame, GuideFrame guides)> paint;
+  std::function<std::vector<PaintedFrame>(int frame, GuidePart guides)> paint;
   std::function<void(int frame, const PaintedFrame& painted)> write;
 };
 

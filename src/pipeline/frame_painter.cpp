@@ -5,23 +5,28 @@
 #include <memory>
 #include <utility>
 
-#include "fluidymation/core/box.h"
+#include "fluidymation/core/frame_part.h"
 
 namespace fluidymation {
 namespace {
 
-/// The whole frame of a painting; of its guides only what is always written.
-PaintedFrame wholeFrame(const Painting& painting, bool withMatches) {
-  const Size size = painting.state.size;
-  const auto whole = [&](const auto& part) {
-    return recropped(part, painting.state.box, {0, 0, size.width, size.height});
-  };
+/// A finished frame of a window; of its guides only what is always written.
+PaintedFrame finishedFrame(Painting painting, bool dumps) {
   PaintedFrame frame;
-  frame.picture = whole(painting.picture);
-  frame.guides.mask = whole(painting.guides.mask);
-  if (!painting.guides.coverage.empty()) frame.guides.coverage = whole(painting.guides.coverage);
-  if (withMatches) frame.nnf = whole(painting.state.nnf);
+  frame.part = {painting.state.size, painting.state.box};
+  frame.picture = std::move(painting.picture);
+  frame.guides.mask = std::move(painting.guides.mask);
+  frame.guides.coverage = std::move(painting.guides.coverage);
+  if (dumps) frame.nnf = wholeFrame(painting.state.nnf, frame.part);
+  frame.state = std::move(painting.forward);
   return frame;
+}
+
+/// What is dumped of a frame is all of it.
+void showWhole(GuideFrame guides, PaintedFrame& frame) {
+  frame.picture = wholeFrame(frame.picture, frame.part);
+  frame.guides = std::move(guides);
+  frame.part = FramePart::whole(frame.part.frame);
 }
 
 }  // namespace
@@ -32,7 +37,7 @@ FrameSpan FramePainter::painted() const {
   return {wanted_.begin, std::min(windows * kWindowFrames, frameCount_)};
 }
 
-std::vector<PaintedFrame> FramePainter::paint(int frame, GuideFrame guides) {
+std::vector<PaintedFrame> FramePainter::paint(int frame, GuidePart guides) {
   if (coherence_ == TemporalCoherence::kBidirectional) {
     return paintBidirectionally(std::move(guides), frame + 1 == frameCount_);
   }
@@ -41,30 +46,33 @@ std::vector<PaintedFrame> FramePainter::paint(int frame, GuideFrame guides) {
   return painted;
 }
 
-PaintedFrame FramePainter::paintForward(GuideFrame guides) {
+PaintedFrame FramePainter::paintForward(GuidePart guides) {
   PaintedFrame painted;
+  const auto paint = [&](auto&& part) {
+    synthesizer_.paint(std::forward<decltype(part)>(part));
+    painted.part = synthesizer_.part();
+    painted.picture = synthesizer_.picture().clone();
+  };
   if (dumps_) {
-    painted.picture = synthesizer_.paint(guides);
-    painted.guides = std::move(guides);
+    paint(guides);
+    showWhole(std::move(guides.guides), painted);
     painted.nnf = synthesizer_.nnf();
   } else {
-    painted.guides.mask = guides.mask.clone();
-    painted.guides.coverage = guides.coverage.clone();
-    painted.picture = synthesizer_.paint(std::move(guides));
+    paint(std::move(guides));
+    painted.guides.mask = synthesizer_.guides().mask.clone();
+    painted.guides.coverage = synthesizer_.guides().coverage.clone();
   }
   painted.state = std::make_shared<const SynthesisState>(synthesizer_.state());
   return painted;
 }
 
-std::vector<PaintedFrame> FramePainter::paintBidirectionally(GuideFrame guides, bool endsHere) {
+std::vector<PaintedFrame> FramePainter::paintBidirectionally(GuidePart guides, bool endsHere) {
   std::vector<PaintedFrame> finished;
   std::vector<Painting> window = bidirectional_.paint(guides, endsHere);
-  if (dumps_) waiting_.push_back(std::move(guides));
+  if (dumps_) waiting_.push_back(std::move(guides.guides));
   for (std::size_t i = 0; i < window.size() && window[i].state.frame <= wanted_.end; ++i) {
-    finished.push_back(wholeFrame(window[i], dumps_));
-    finished.back().state = std::move(window[i].forward);
-    if (dumps_) finished.back().guides = std::move(waiting_[i]);
-    window[i] = {};
+    finished.push_back(finishedFrame(std::move(window[i]), dumps_));
+    if (dumps_) showWhole(std::move(waiting_[i]), finished.back());
   }
   if (!window.empty()) waiting_.clear();
   return finished;

@@ -16,7 +16,7 @@ class FramePainter {
   /// @param synthesizer  must outlive this.
   /// @param wanted      frames that are written.
   /// @param frameCount  of the whole target.
-  /// @param dumps  whether guides and matches are written, too.
+  /// @param dumps  whether guides and matches are written, too: those of whole frames.
   FramePainter(Synthesizer& synthesizer, TemporalCoherence coherence, FrameSpan wanted,
                int frameCount, bool dumps)
       : synthesizer_(synthesizer),
@@ -30,11 +30,11 @@ class FramePainter {
   [[nodiscard]] FrameSpan painted() const;
 
   /// The stage `paint` of FrameStages: gives the wanted ones of the frames that are finished.
-  [[nodiscard]] std::vector<PaintedFrame> paint(int frame, GuideFrame guides);
+  [[nodiscard]] std::vector<PaintedFrame> paint(int frame, GuidePart guides);
 
  private:
-  [[nodiscard]] PaintedFrame paintForward(GuideFrame guides);
-  [[nodiscard]] std::vector<PaintedFrame> paintBidirectionally(GuideFrame guides, bool endsHere);
+  [[nodiscard]] PaintedFrame paintForward(GuidePart guides);
+  [[nodiscard]] std::vector<PaintedFrame> paintBidirectionally(GuidePart guides, bool endsHere);
 
   Synthesizer& synthesizer_;
   BidirectionalPainter bidirectional_;

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "fluidymation/io/atomic_file.h"
-#include "pipeline/painted_pixels.h"
 
 namespace fluidymation {
 namespace {
@@ -15,41 +14,53 @@ template <typename Pixel>
          std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Pixel)) == 0;
 }
 
-[[nodiscard]] bool looksAlike(const FrameWriter::Pixels& a, const FrameWriter::Pixels& b) {
+[[nodiscard]] bool looksAlike(const FrameWriter::Output& a, const FrameWriter::Output& b) {
+  if (!(a.part == b.part)) return false;
   return std::visit(
       [&b](const auto& one) {
-        const auto* const other = std::get_if<std::decay_t<decltype(one)>>(&b);
+        const auto* const other = std::get_if<std::decay_t<decltype(one)>>(&b.pixels);
         return other != nullptr && sameBytes(one, *other);
       },
-      a);
+      a.pixels);
 }
 
 }  // namespace
 
-FrameWriter::FrameWriter(FrameForm form) : form_(std::move(form)) {
-  encode_ = [this](const Pixels& pixels) {
-    const PngContent content{!form_.background.empty(), form_.color};
-    return std::visit(
-        [&](const auto& image) { return encodePng(image, form_.compressionLevel, content); },
-        pixels);
-  };
+FrameWriter::FrameWriter(FrameForm form)
+    : FrameWriter(std::move(form), [this](const Output& output) {
+        const PngContent content{!form_.background.empty(), form_.color};
+        return std::visit(
+            [&](const auto& image) {
+              return encodePng(image, output.part, form_.compressionLevel, content);
+            },
+            output.pixels);
+      }) {}
+
+FrameWriter::FrameWriter(FrameForm form, Encoder encode)
+    : form_(std::move(form)), encode_(std::move(encode)) {
+  if (form_.bitDepth == BitDepth::k16) {
+    bare16_ = barePixels16(form_.background);
+  } else {
+    bare8_ = barePixels8(form_.background);
+  }
 }
 
-FrameWriter::Pixels FrameWriter::pixelsOf(const Image<Lab>& picture,
-                                          const GuideFrame& guides) const {
+FrameWriter::Output FrameWriter::outputOf(const PaintedPart& painted) const {
   const bool wide = form_.bitDepth == BitDepth::k16;
   if (form_.background.empty()) {
-    if (wide) return straightPixels16(picture, guides);
-    return straightPixels8(picture, guides, colors_);
+    const FramePart part = withColorMargin(painted.part);
+    if (wide) return {part, straightPixels16(painted)};
+    return {part, straightPixels8(painted, colors_)};
   }
-  if (wide) return opaquePixels16(picture, guides, form_.background);
-  return opaquePixels8(picture, guides, form_.background, colors_);
+  const FramePart whole = FramePart::whole(painted.part.frame);
+  if (wide) return {whole, opaquePixels16(painted, form_.background, bare16_)};
+  return {whole, opaquePixels8(painted, form_.background, bare8_, colors_)};
 }
 
-Digest FrameWriter::write(const std::string& path, const Image<Lab>& picture,
+Digest FrameWriter::write(const std::string& path, const FramePart& part, const Image<Lab>& picture,
                           const GuideFrame& guides,
                           const std::function<void(const Digest&)>& beforeWriting) {
-  Pixels output = pixelsOf(picture, guides);
+  Output output = outputOf({part, picture, guides});
   if (lastFile_.empty() || !looksAlike(output, last_)) {
     lastFile_ = encode_(output);
     last_ = std::move(output);

@@ -244,7 +244,9 @@ std::int64_t bytesOfRun(const RunSize& run) {
                           (sideBySide ? guiding(target) + atWork + writing
                                       : std::max({guiding(target), atWork, writing}));
 
-  const double background = run.hasBackground ? pixels(run.target) * sizeof(Rgb) : 0.0;
+  // As colours, and as the pixels of a file
+  const double background =
+      run.hasBackground ? pixels(run.target) * (sizeof(Rgb) + pixelBytes) : 0.0;
   // Made before any mask is read; scaled or cut from a surface that is of no use any more
   const double surfacing = run.hasBareSurface ? pixels(run.exemplar) * kBareSurfaceBytes +
                                                     decodingBytes(run, run.exemplar)

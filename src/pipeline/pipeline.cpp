@@ -81,12 +81,20 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
 }
 
 /// Makes the guides of the target's frames, with their ages where they are compared.
-std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
-  return [&guides, withAges, ages = std::make_shared<TargetAges>()](int /*frame*/) {
-    GuideFrame frame = guides.next();
+/// @param marginPx  how far round the shape they are wanted; none: of the whole frame.
+std::function<GuidePart(int)> guideStage(GuideStream& guides, bool withAges,
+                                         std::optional<int> marginPx) {
+  return [&guides, withAges, marginPx, ages = std::make_shared<TargetAges>()](int /*frame*/) {
+    GuidePart frame;
+    if (marginPx) {
+      frame = guides.nextPart(*marginPx);
+    } else {
+      frame.guides = guides.next();
+      frame.part = FramePart::whole(frame.guides.mask.size());
+    }
     if (withAges) {
-      frame.age = ages->next(frame.mask);
-      frame.ageGrows = ages->haveGrown();
+      frame.guides.age = ages->next(frame.guides.mask, frame.part.box);
+      frame.guides.ageGrows = ages->haveGrown();
     }
     return frame;
   };
@@ -94,9 +102,9 @@ std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
 
 /// Brings guides and search to where painting begins: the guides of each frame depend on those
 /// before it.
-void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
+void goOn(const std::function<GuidePart(int)>& guide, StartingPoint& start,
           const Stopping& stopping, Synthesizer& synthesizer) {
-  GuideFrame last;
+  GuidePart last;
   for (int j = 0; j < start.span.begin; ++j) {
     stopping.check();
     last = guide(j);
@@ -206,14 +214,15 @@ void paintInOrder(const Options& given, const Observer& observer) {
   const bool dumps = options.dumpGuidesDirectory.has_value();
   const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
-  stages.guide = guideStage(guides, withAges);
+  stages.guide =
+      guideStage(guides, withAges, dumps ? std::nullopt : std::optional(synthesizer.marginPx()));
   FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span, frameCount,
                        dumps);
   std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
-  stages.paint = [&](int j, GuideFrame frame) {
+  stages.paint = [&](int j, GuidePart frame) {
     film.advanceTo(window.beginFor(j));
     notes.push_back(
-        flowNote("--target-path " + options.target.path, numbers[at(j)], frame.diffusion)
+        flowNote("--target-path " + options.target.path, numbers[at(j)], frame.guides.diffusion)
             .value_or(""));
     std::vector<PaintedFrame> painted = painter.paint(j, std::move(frame));
     if (recoloring) {
@@ -223,7 +232,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
   };
   stages.write = [&](int j, const PaintedFrame& painted) {
     const Digest digest =
-        writer.write(outPaths[at(j)], painted.picture, painted.guides,
+        writer.write(outPaths[at(j)], painted.part, painted.picture, painted.guides,
                      [&](const Digest& written) { replacement.beforeWriting(j, written); });
     if (dumps) {
       const std::string folder = dumpFolder(options, "target");

@@ -6,9 +6,9 @@
 
 namespace fluidymation {
 
-std::vector<Painting> BidirectionalPainter::paint(const GuideFrame& frame, bool endsHere) {
+std::vector<Painting> BidirectionalPainter::paint(const GuidePart& frame, bool endsHere) {
   if (window_.empty()) before_ = synthesizer_.painting();
-  (void)synthesizer_.paint(frame);
+  synthesizer_.paint(frame);
   // The frames of a hold are revised as one: none can go on amid them.
   if (synthesizer_.held() && !window_.empty()) window_.back().forward = nullptr;
   window_.push_back(synthesizer_.painting());

@@ -25,17 +25,19 @@ int valueAt(const std::vector<int>& list, int level, int coarsest) {
 }
 
 /// Every guide of a frame within a box.
-GuideFrame croppedGuides(const GuideFrame& frame, const Box& box) {
-  const auto optional = [&box](const Image<float>& image) {
-    return image.empty() ? Image<float>() : cropped(image, box);
+/// @param from  what `frame` shows.
+GuideFrame croppedGuides(const GuideFrame& frame, const Box& from, const Box& box) {
+  const auto inBox = [&](const auto& image) { return recropped(image, from, box); };
+  const auto optional = [&](const Image<float>& image) {
+    return image.empty() ? Image<float>() : inBox(image);
   };
   GuideFrame part;
-  part.mask = cropped(frame.mask, box);
-  part.distance = cropped(frame.distance, box);
-  part.flow = cropped(frame.flow, box);
-  part.direction = cropped(frame.direction, box);
-  part.accForward = cropped(frame.accForward, box);
-  part.accBackward = cropped(frame.accBackward, box);
+  part.mask = inBox(frame.mask);
+  part.distance = inBox(frame.distance);
+  part.flow = inBox(frame.flow);
+  part.direction = inBox(frame.direction);
+  part.accForward = inBox(frame.accForward);
+  part.accBackward = inBox(frame.accBackward);
   part.diffusion = frame.diffusion;
   part.shape = optional(frame.shape);
   part.coverage = optional(frame.coverage);
@@ -90,25 +92,29 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
   memory_.resize(expectedUse_.size());
 }
 
-Image<Lab> Synthesizer::paint(const GuideFrame& frame) { return paintPart(partOf(frame)); }
+Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
+  paintPart(workOf(FramePart::whole(frame.mask.size()), frame));
+  return wholeFrame(picture_, part());
+}
 
-Image<Lab> Synthesizer::paint(GuideFrame&& frame) {
-  FramePart part = partOf(frame);
+void Synthesizer::paint(GuidePart&& frame) {
+  GuidePart work = workOf(frame.part, frame.guides);
   frame = {};
-  return paintPart(std::move(part));
+  paintPart(std::move(work));
 }
 
-Synthesizer::FramePart Synthesizer::partOf(const GuideFrame& frame) const {
-  const Size size = frame.mask.size();
-  const Mask painted = paintedPixels(frame);
+GuidePart Synthesizer::workOf(const FramePart& part, const GuideFrame& frame) const {
   // As far as a window of the coarsest level reaches, whose pixels are blocks of this size
-  const int block = 1 << (exemplar_.levelCount() - 1);
-  const Box box = alignedTo(grown(boundingBox(painted), kPatchRadius * block, size), block, size);
-  return {size, box, croppedGuides(frame, box)};
+  const int block = coarsestBlock();
+  const Box painted = moved(boundingBox(paintedPixels(frame)), part.box.begin());
+  const Box box = alignedTo(grown(painted, kPatchRadius * block, part.frame), block, part.frame);
+  assert(joined(part.box, box) == part.box);
+  return {{part.frame, box}, croppedGuides(frame, part.box, box)};
 }
 
-Image<Lab> Synthesizer::paintPart(FramePart part) {
-  const auto& [size, box, guides] = part;
+void Synthesizer::paintPart(GuidePart work) {
+  const auto& [part, guides] = work;
+  const auto& [size, box] = part;
   held_ = size == size_ && box == box_ && isHeld(guides, guides_);
   if (!held_) {
     nnf_ = recropped(nnf_, box_, box);
@@ -117,10 +123,9 @@ Image<Lab> Synthesizer::paintPart(FramePart part) {
     box_ = box;
     picture_ = countInside(guides.mask) > 0 ? paintBox(guides) : Image<Lab>(box.size());
     if (countInside(guides.mask) == 0) nnf_ = NearestNeighborField(box.size());
-    guides_ = std::move(part.guides);
+    guides_ = std::move(work.guides);
   }
   ++frame_;
-  return recropped(picture_, box_, whole(size_));
 }
 
 void Synthesizer::followFilm() {
@@ -136,7 +141,7 @@ void Synthesizer::followFilm() {
 }
 
 NearestNeighborField Synthesizer::nnf() const {
-  NearestNeighborField nnf = recropped(nnf_, box_, whole(size_));
+  NearestNeighborField nnf = wholeFrame(nnf_, part());
   toFilmFrames(nnf, filmBegin_);
   return nnf;
 }
@@ -169,7 +174,7 @@ Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides, const TargetLev
 Painting Synthesizer::painting() const {
   Painting last;
   last.state = state();
-  last.guides = croppedGuides(guides_, whole(box_.size()));
+  last.guides = croppedGuides(guides_, box_, box_);
   last.picture = picture_.clone();
   last.held = held_;
   return last;
@@ -201,6 +206,14 @@ SynthesisState Synthesizer::state() const {
 }
 
 void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
+  restore(std::move(state), FramePart::whole(last.mask.size()), last);
+}
+
+void Synthesizer::restore(SynthesisState state, const GuidePart& last) {
+  restore(std::move(state), last.part, last.guides);
+}
+
+void Synthesizer::restore(SynthesisState state, const FramePart& part, const GuideFrame& last) {
   assert(exemplar_.firstFrame() == state.filmBegin);
   followFilm();
   frame_ = state.frame;
@@ -209,7 +222,7 @@ void Synthesizer::restore(SynthesisState state, const GuideFrame& last) {
   nnf_ = std::move(state.nnf);
   toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
   owed_ = std::move(state.owed);
-  guides_ = croppedGuides(last, box_);
+  guides_ = croppedGuides(last, part.box, box_);
   picture_ = countInside(guides_.mask) > 0
                  ? paintedPicture(guides_, levelsOf(guides_).front(), nnf_)
                  : Image<Lab>(box_.size());

@@ -60,34 +60,34 @@ class FrameMaker {
   FrameMaker(const FrameMaker&) = delete;
   FrameMaker& operator=(const FrameMaker&) = delete;
 
-  /// Makes the next frame, from guides to file; @return  its mask.
-  Mask next() {
+  /// Makes the next frame, from guides to file; @return  pixels of its mask.
+  std::size_t next() {
     clock_ = {};
     const Stopwatch whole;
-    Mask mask = make();
+    const std::size_t maskPixels = make();
     const Cost frame = whole.elapsed();
     Cost other = frame;
     other -= clock_.sum();
     clock_.add({TimedStage::kOther, kNoLevel}, other);
     clock_.add({TimedStage::kFrame, kNoLevel}, frame);
-    return mask;
+    return maskPixels;
   }
 
   /// Of the frame made last.
   [[nodiscard]] const StageClock& clock() const { return clock_; }
 
  private:
-  Mask make() {
-    GuideFrame guides = clock_.time(TimedStage::kGuides, [&] { return guides_.next(); });
-    const Image<Lab> picture = synthesizer_.paint(guides);
+  std::size_t make() {
+    synthesizer_.paint(clock_.time(TimedStage::kGuides,
+                                   [&] { return guides_.nextPart(synthesizer_.marginPx()); }));
     const Stopwatch writing;
     encoding_ = {};
-    writer_.write(path_, picture, guides);
+    writer_.write(path_, synthesizer_.part(), synthesizer_.picture(), synthesizer_.guides());
     Cost file = writing.elapsed();
     file -= encoding_;
     clock_.add({TimedStage::kPng, kNoLevel}, encoding_);
     clock_.add({TimedStage::kFile, kNoLevel}, file);
-    return std::move(guides.mask);
+    return countInside(synthesizer_.guides().mask);
   }
 
   GuideStream& guides_;
@@ -95,9 +95,10 @@ class FrameMaker {
   StageTimer timer_;
   Synthesizer synthesizer_;
   Cost encoding_;  ///< of the frame made last
-  FrameWriter writer_{FrameForm{}, [this](const FrameWriter::Pixels& pixels) {
+  FrameWriter writer_{FrameForm{}, [this](const FrameWriter::Output& output) {
                         const Stopwatch encoding;
-                        std::vector<std::uint8_t> file = encodePng(std::get<Image<Rgba8>>(pixels));
+                        std::vector<std::uint8_t> file =
+                            encodePng(std::get<Image<Rgba8>>(output.pixels), output.part);
                         encoding_ = encoding.elapsed();
                         return file;
                       }};
@@ -123,7 +124,7 @@ Measurement measure(const LoadedCase& loaded, int repetitions) {
     StageClock total;  // of all frames but the first
     std::size_t maskPixels = 0;
     for (int j = 1; j < frames; ++j) {
-      maskPixels += countInside(maker.next());
+      maskPixels += maker.next();
       addAll(maker.clock(), total);
     }
     addSums(total);

@@ -32,6 +32,13 @@ struct Box {
           std::min(box.endX + margin, size.width), std::min(box.endY + margin, size.height)};
 }
 
+/// A box within the part of an image that begins at `origin`, as a box of the image. An empty box
+/// stays empty.
+[[nodiscard]] inline Box moved(const Box& box, Pixel origin) {
+  if (box.empty()) return {};
+  return {box.beginX + origin.x, box.beginY + origin.y, box.endX + origin.x, box.endY + origin.y};
+}
+
 /// The box with its begin moved to even coordinates, by a pixel at most: blocks of 2x2 pixels then
 /// lie within the box as they lie within the image.
 [[nodiscard]] inline Box fromEvenPixel(const Box& box) {

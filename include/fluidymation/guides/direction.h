@@ -19,7 +19,15 @@ struct DirectionField {
 /// @param previous  directions of the frame before, (0, 0) outside its mask; or an empty image. Its
 ///   memory becomes the result's.
 /// @param distance  signed distance of `mask`.
+/// @param origin  where these images begin in the frame; even. They may show a part of it that
+/// holds
+///   the shape and `directionMarginPx` round it, as far as the frame reaches: the same comes out,
+///   bit for bit.
 [[nodiscard]] DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
-                                           const Image<float>& distance, Image<Vec2> previous);
+                                           const Image<float>& distance, Image<Vec2> previous,
+                                           Pixel origin = {});
+
+/// How far beyond a shape its border normals are made from, px.
+[[nodiscard]] int directionMarginPx();
 
 }  // namespace fluidymation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fluidymation/core/frame_part.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/diffusion.h"
 
@@ -28,6 +29,12 @@ struct GuideFrame {
     if (!coverage.empty()) return coverage(x, y);
     return mask(x, y) != 0 ? 1.0F : 0.0F;
   }
+};
+
+/// The guides of a part of a frame: all images have the size of its box.
+struct GuidePart {
+  FramePart part;
+  GuideFrame guides;
 };
 
 }  // namespace fluidymation

@@ -69,6 +69,10 @@ class GuideStream {
   /// @throws Error when the store cannot be read.
   [[nodiscard]] GuideFrame next();
 
+  /// The same within a box that holds the shape and at least `marginPx` round it, as far as the
+  /// frame reaches; nothing of a frame without a shape.
+  [[nodiscard]] GuidePart nextPart(int marginPx);
+
   /// Begins anew with the first frame: the same guides once more. Only with
   /// `GuideStreamSetting::keeps`.
   void rewind();
@@ -99,11 +103,16 @@ class GuideStream {
   /// Gaussian over the frames around that have the pixel in their masks.
   void averageFlow(int begin, int end, float sigmaFrames);
 
+  /// Guides of the next frame within a box that begins with an even pixel and is as large as
+  /// `nextPart` says.
+  [[nodiscard]] GuideFrame nextWithin(const Box& box);
+
   /// Fills in what the shape alone says: mask, distance, coverage and blurred mask.
-  void addShape(const PackedShape& shape, GuideFrame& guides);
+  void addShape(const PackedShape& shape, const Box& box, GuideFrame& guides);
 
   /// Of a shape that the next frame repeats.
   struct HeldShape {
+    Box box;
     Image<float> distance;
     Image<float> coverage;
     Image<float> shape;

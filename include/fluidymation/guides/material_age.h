@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/core/image.h"
 
 namespace fluidymation {
@@ -13,11 +14,17 @@ class TargetAges {
   ///   and in the first one; 0 outside. Frames whose mask is that of the frame before, a hold, do
   ///   not count.
   [[nodiscard]] Image<float> next(const Mask& mask);
+  /// The same of a part of the frame that holds all of the mask; parts may differ from frame to
+  /// frame.
+  /// @param box  of the part. @return  for the pixels of the part.
+  [[nodiscard]] Image<float> next(const Mask& mask, const Box& box);
 
   /// Whether what stayed covered is older in the last frame than in the one before it.
   [[nodiscard]] bool haveGrown() const { return grown_; }
 
  private:
+  bool isFirst_ = true;
+  Box box_;    ///< of the last frame's part
   Mask mask_;  ///< of the last frame
   Image<float> ages_;
   bool grown_ = false;

@@ -16,8 +16,11 @@ namespace fluidymation {
 /// crosses the image's edge at more than 45 degrees. At shallower angles its last corner is not
 /// known well, since the coverage it follows from ends there, and within half a pixel of the
 /// image's edge it may have none.
-/// @param mask  with both sides (asserted).
-[[nodiscard]] Image<float> outlineDistance(const Mask& mask, const Outline& outline);
+/// @param mask  with both sides (asserted); a part of a frame that holds the shape and the pixels
+///   next to it, as far as the frame reaches.
+/// @param origin  of that part in the frame: the same numbers come out, bit for bit, for any part.
+[[nodiscard]] Image<float> outlineDistance(const Mask& mask, const Outline& outline,
+                                           Pixel origin = {});
 
 /// From the convention of `outlineDistance` to that of `signedDistance`, between pixel centres: a
 /// pixel inside whose outer neighbour is just outside has 1. The inverse of `continuousDistance`.

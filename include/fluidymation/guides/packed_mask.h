@@ -100,6 +100,9 @@ void forEachStretch(const PackedMask& mask, const PackedMask& other, const Body&
 [[nodiscard]] std::vector<Vec2> gather(const PackedMask& mask, const Image<Vec2>& image);
 
 /// The inverse of `gather`; zero outside.
+/// @return  the part within `box`, which may cut the mask.
+[[nodiscard]] Image<Vec2> scatter(const PackedMask& mask, const std::vector<Vec2>& values,
+                                  const Box& box);
 [[nodiscard]] Image<Vec2> scatter(const PackedMask& mask, const std::vector<Vec2>& values);
 
 }  // namespace fluidymation

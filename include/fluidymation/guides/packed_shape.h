@@ -10,6 +10,10 @@
 
 namespace fluidymation {
 
+/// How far beyond a shape its distances and coverage are made from, px: a pixel that it covers in
+/// part lies next to it, and the gradient there looks one further.
+inline constexpr int kShapeMarginPx = 2;
+
 /// The smoothed shape of one frame of a long sequence that waits for its turn: one bit a pixel, and
 /// of a soft sequence the sub-pixel outline.
 class PackedShape {
@@ -39,6 +43,9 @@ class PackedShape {
 
   /// Fills in mask, distance and coverage.
   void addTo(GuideFrame& guides) const;
+  /// The same within a box that holds the shape and `kShapeMarginPx` round it, as far as the frame
+  /// reaches.
+  void addTo(GuideFrame& guides, const Box& box) const;
 
  private:
   PackedMask mask_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fluidymation/core/color.h"
+#include "fluidymation/core/frame_part.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/io/color_chunks.h"
 #include "fluidymation/io/compression_level.h"
@@ -99,6 +100,13 @@ struct PngContent {
                                                   int compressionLevel = kDefaultCompression,
                                                   const PngContent& content = {});
 [[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image,
+                                                  int compressionLevel = kDefaultCompression,
+                                                  const PngContent& content = {});
+/// The same of a whole frame of which `image` shows a part, all samples zero beyond it.
+[[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba8>& image, const FramePart& part,
+                                                  int compressionLevel = kDefaultCompression,
+                                                  const PngContent& content = {});
+[[nodiscard]] std::vector<std::uint8_t> encodePng(const Image<Rgba16>& image, const FramePart& part,
                                                   int compressionLevel = kDefaultCompression,
                                                   const PngContent& content = {});
 

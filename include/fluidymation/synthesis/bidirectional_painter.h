@@ -28,7 +28,7 @@ class BidirectionalPainter {
   /// @return  the frames that are finished by that, in order, those a run can go on after with
   /// `Painting::forward`: those of
   ///   a window, or none.
-  [[nodiscard]] std::vector<Painting> paint(const GuideFrame& frame, bool endsHere);
+  [[nodiscard]] std::vector<Painting> paint(const GuidePart& frame, bool endsHere);
 
  private:
   void revise();

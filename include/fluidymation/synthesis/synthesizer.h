@@ -4,6 +4,7 @@
 
 #include "fluidymation/core/box.h"
 #include "fluidymation/core/color.h"
+#include "fluidymation/core/frame_part.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/exemplar.h"
@@ -41,8 +42,21 @@ class Synthesizer {
   /// @return  the picture in CIELAB, meaningful inside the mask and where the shape covers part
   ///   of a pixel outside it.
   [[nodiscard]] Image<Lab> paint(const GuideFrame& frame);
-  /// The same, and frees the guides before the search, which needs only those round the mask.
-  [[nodiscard]] Image<Lab> paint(GuideFrame&& frame);
+  /// The same of a frame's part that holds the shape and `marginPx` round it, as far as the frame
+  /// reaches. The guides are freed before the search, which needs only those nearer to the mask.
+  /// `part`, `picture` and `guides` tell what came of it.
+  void paint(const GuidePart& frame) { paintPart(workOf(frame.part, frame.guides)); }
+  void paint(GuidePart&& frame);
+
+  /// How far beyond a frame's shape its guides are looked at, px.
+  [[nodiscard]] int marginPx() const {
+    return 1 + kPatchRadius * coarsestBlock() + coarsestBlock();
+  }
+
+  /// What was worked on of the frame painted last; its picture and guides there.
+  [[nodiscard]] FramePart part() const { return {size_, box_}; }
+  [[nodiscard]] const Image<Lab>& picture() const { return picture_; }
+  [[nodiscard]] const GuideFrame& guides() const { return guides_; }
 
   /// Full-resolution matches of the frame painted last, in frames of the whole film; the size of
   /// its frame.
@@ -69,13 +83,15 @@ class Synthesizer {
   /// Goes on after the frame that `state` was taken of: all that follows is painted as there.
   /// @param last  guides of that frame. The exemplar has to hold what it did then,
   ///   `SynthesisState::filmBegin`.
+  void restore(SynthesisState state, const GuidePart& last);
   void restore(SynthesisState state, const GuideFrame& last);
 
   /// Paints the next frame afresh, as frame number `frame` (from 0) of the target.
   void startAfresh(int frame) { frame_ = frame; }
 
  private:
-  [[nodiscard]] static Box whole(Size size) { return {0, 0, size.width, size.height}; }
+  /// Side of the square of pixels that a pixel of the coarsest level stands for.
+  [[nodiscard]] int coarsestBlock() const { return 1 << (exemplar_.levelCount() - 1); }
 
   /// Which part of which frame is worked on.
   struct Work {
@@ -95,13 +111,11 @@ class Synthesizer {
   [[nodiscard]] Image<Lab> paintBox(const GuideFrame& frame);
 
   /// What is worked on of a frame.
-  struct FramePart {
-    Size size;  ///< of the whole
-    Box box;
-    GuideFrame guides;  ///< within the box
-  };
-  [[nodiscard]] FramePart partOf(const GuideFrame& frame) const;
-  [[nodiscard]] Image<Lab> paintPart(FramePart part);
+  /// @param part  what `frame` shows of it.
+  [[nodiscard]] GuidePart workOf(const FramePart& part, const GuideFrame& frame) const;
+  void paintPart(GuidePart work);
+  /// @param part  what `last` shows.
+  void restore(SynthesisState state, const FramePart& part, const GuideFrame& last);
 
   /// The frame on all levels, finest first.
   [[nodiscard]] std::vector<TargetLevel> levelsOf(const GuideFrame& frame) const;

@@ -90,6 +90,12 @@ TEST(PackedMask, GathersAndScattersItsPixels) {
       const std::vector<Vec2> fromBox = gather(packed, cropped(image, box), box);
       ASSERT_EQ(fromBox.size(), expected.size());
       for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(fromBox[i].x, expected[i].x);
+      const Box middle{size.width / 4, size.height / 4, 3 * size.width / 4 + 1,
+                       3 * size.height / 4 + 1};
+      for (const Box& part : {box, middle}) {
+        EXPECT_TRUE(
+            test::nearEverywhere(cropped(inside, part), scatter(packed, values, part), 0.0F));
+      }
     }
   }
 }

@@ -40,16 +40,16 @@ class Line {
     stages.guide = [this](int frame) {
       EXPECT_EQ(frame, guided++);
       onGuide(frame);
-      GuideFrame guides;
-      guides.diffusion.cycles = frame;  // goes along with the frame
+      GuidePart guides;
+      guides.guides.diffusion.cycles = frame;  // goes along with the frame
       return guides;
     };
-    stages.paint = [this](int frame, GuideFrame guides) {
+    stages.paint = [this](int frame, GuidePart guides) {
       EXPECT_EQ(std::this_thread::get_id(), caller_);
-      EXPECT_EQ(guides.diffusion.cycles, frame);
+      EXPECT_EQ(guides.guides.diffusion.cycles, frame);
       onPaint(frame);
       std::vector<PaintedFrame> painted(1);
-      painted.front().guides = std::move(guides);
+      painted.front().guides = std::move(guides.guides);
       return painted;
     };
     stages.write = [this](int frame, const PaintedFrame& painted) {

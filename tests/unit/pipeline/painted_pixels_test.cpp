@@ -13,6 +13,7 @@ namespace fluidymation {
 namespace {
 
 constexpr Size kSize{31, 23};
+const FramePart kWhole = FramePart::whole(kSize);
 constexpr int kEdge = kSize.width / 2;  ///< column that is covered by a quarter
 
 int wide(float value) { return static_cast<int>(std::lround(65535.0F * value)); }
@@ -20,8 +21,8 @@ int wide(float value) { return static_cast<int>(std::lround(65535.0F * value)); 
 TEST(StraightPixels, PaintWhatIsCovered) {
   const Image<Lab> picture = test::randomTexture(kSize, 3);
   const GuideFrame guides = test::halfCovered(kSize);
-  const Image<Rgba8> narrow = straightPixels8(picture, guides, SrgbByteEncoder());
-  const Image<Rgba16> exact = straightPixels16(picture, guides);
+  const Image<Rgba8> narrow = straightPixels8({kWhole, picture, guides}, SrgbByteEncoder());
+  const Image<Rgba16> exact = straightPixels16({kWhole, picture, guides});
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = 0; x <= kEdge; ++x) {
       const Rgb color = toRgb(picture(x, y));
@@ -37,7 +38,7 @@ TEST(StraightPixels, PaintWhatIsCovered) {
 
 TEST(StraightPixels, SixteenBitsAreMoreThanEightOfThem) {
   const Image<Rgba16> exact =
-      straightPixels16(test::randomTexture(kSize, 3), test::halfCovered(kSize));
+      straightPixels16({kWhole, test::randomTexture(kSize, 3), test::halfCovered(kSize)});
   int between = 0;
   for (const Rgba16 p : exact) between += p.a == 65535 && p.r % 257 != 0 ? 1 : 0;
   EXPECT_GT(between, kSize.height * kEdge / 2);
@@ -48,8 +49,9 @@ TEST(StraightPixels, ColorsGoOnPastThePaintAndEndThere) {
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = 0; x < kSize.width; ++x) picture(x, y) = toLab(Rgb{0.8F, 0.4F, 0.2F});
   }
-  const Image<Rgba8> output = straightPixels8(picture, test::halfCovered(kSize), SrgbByteEncoder());
-  const Image<Rgba16> exact = straightPixels16(picture, test::halfCovered(kSize));
+  const GuideFrame guides = test::halfCovered(kSize);
+  const Image<Rgba8> output = straightPixels8({kWhole, picture, guides}, SrgbByteEncoder());
+  const Image<Rgba16> exact = straightPixels16({kWhole, picture, guides});
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = kEdge + 1; x < kSize.width; ++x) {
       const Rgba8 p = output(x, y);
@@ -69,7 +71,8 @@ TEST(StraightPixels, ColorsGoOnPastThePaintAndEndThere) {
 TEST(StraightPixels, AFrameWithoutPaintIsEmpty) {
   GuideFrame guides;
   guides.mask = Mask(kSize);
-  for (const Rgba8 p : straightPixels8(test::randomTexture(kSize, 1), guides, SrgbByteEncoder())) {
+  for (const Rgba8 p :
+       straightPixels8({kWhole, test::randomTexture(kSize, 1), guides}, SrgbByteEncoder())) {
     ASSERT_TRUE(p.r == 0 && p.g == 0 && p.b == 0 && p.a == 0);
   }
 }
@@ -83,9 +86,11 @@ TEST(OpaquePixels, AreTheStraightOnesLaidOver) {
     for (int x = 0; x < kSize.width; ++x) background(x, y) = toRgb(picture(y, x % kSize.height));
   }
   const SrgbByteEncoder encoder;
-  const Image<Rgba16> straight = straightPixels16(picture, guides);
-  const Image<Rgba16> exact = opaquePixels16(picture, guides, background);
-  const Image<Rgba8> narrow = opaquePixels8(picture, guides, background, encoder);
+  const Image<Rgba16> straight = straightPixels16({kWhole, picture, guides});
+  const Image<Rgba16> exact =
+      opaquePixels16({kWhole, picture, guides}, background, barePixels16(background));
+  const Image<Rgba8> narrow =
+      opaquePixels8({kWhole, picture, guides}, background, barePixels8(background), encoder);
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = 0; x < kSize.width; ++x) {
       const auto share = [](std::uint16_t v) { return static_cast<float>(v) / 65535.0F; };

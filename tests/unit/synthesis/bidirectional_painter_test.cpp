@@ -28,7 +28,8 @@ class BidirectionalPainterTest : public ::testing::Test {
                                             std::size_t first) const {
     std::vector<Painting> all;
     for (std::size_t i = first; i < discFrames.size(); ++i) {
-      for (Painting& done : painter.paint(guides(discFrames, i), i + 1 == discFrames.size())) {
+      const GuidePart whole{FramePart::whole(disc_.size), guides(discFrames, i)};
+      for (Painting& done : painter.paint(whole, i + 1 == discFrames.size())) {
         all.push_back(std::move(done));
       }
     }
@@ -134,12 +135,13 @@ TEST_F(BidirectionalPainterTest, EmptyFramesAreFine) {
   BidirectionalPainter painter(synthesizer);
   std::vector<Painting> all;
   for (int i = 0; i < 6; ++i) {
-    GuideFrame frame = disc_.guides(i);
+    GuidePart whole{FramePart::whole(disc_.size), disc_.guides(i)};
+    GuideFrame& frame = whole.guides;
     if (i == 0 || i == 3) {
       frame.mask = Mask(disc_.size);
       frame.flow = Image<Vec2>(disc_.size);
     }
-    for (Painting& done : painter.paint(frame, i == 5)) all.push_back(std::move(done));
+    for (Painting& done : painter.paint(whole, i == 5)) all.push_back(std::move(done));
   }
   ASSERT_EQ(all.size(), 6U);
   for (const std::size_t empty : {0U, 3U}) EXPECT_FALSE(hasAnyMatch(all[empty].state.nnf));

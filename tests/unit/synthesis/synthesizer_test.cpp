@@ -50,6 +50,38 @@ TEST_F(SynthesizerTest, NoIterationsAtTheEndOfTheListLeaveTheFinestLevelUnswept)
   }
 }
 
+/// It is given a part of each frame, only so much as it asks for, and goes on from such a part.
+TEST_F(SynthesizerTest, PaintsAPartAsTheWholeFrame) {
+  const Size size{190, 150};
+  test::GrowingDisc small{size, {140.0F, 96.0F}, 11.0F, 1.5F, 4};
+  for (const int coarsest : {0, 3}) {
+    SCOPED_TRACE(coarsest);
+    const Exemplar exemplar = test::discExemplar(disc_, coarsest, kBorderWidthPx, 31);
+    Synthesizer ofWhole(exemplar, smallOptions());
+    Synthesizer ofParts(exemplar, smallOptions());
+    for (int j = 0; j < small.frameCount; ++j) {
+      const GuideFrame whole = small.guides(j);
+      const FramePart part{size, grown(boundingBox(whole.mask), ofParts.marginPx(), size)};
+      const auto here = [&](const auto& image) { return cropped(image, part.box); };
+      GuidePart guides{part, {}};
+      guides.guides.mask = here(whole.mask);
+      guides.guides.distance = here(whole.distance);
+      guides.guides.flow = here(whole.flow);
+      guides.guides.direction = here(whole.direction);
+      guides.guides.accForward = here(whole.accForward);
+      guides.guides.accBackward = here(whole.accBackward);
+      const Image<Lab> picture = ofWhole.paint(whole);
+      ofParts.paint(guides);
+      EXPECT_LT(ofParts.part().box.size().width, size.width);
+      EXPECT_TRUE(sameBytes(picture, wholeFrame(ofParts.picture(), ofParts.part()))) << j;
+      EXPECT_TRUE(sameBytes(ofWhole.nnf(), ofParts.nnf())) << j;
+      Synthesizer resumed(exemplar, smallOptions());
+      resumed.restore(ofParts.state(), guides);
+      EXPECT_TRUE(sameBytes(resumed.picture(), ofParts.picture())) << j;
+    }
+  }
+}
+
 TEST_F(SynthesizerTest, GuidesAlonePlaceTheMatchesOfAFreshFrame) {
   // Without any search after the first one the field must not know the exemplar's colours
   SynthesisOptions options = smallOptions();
