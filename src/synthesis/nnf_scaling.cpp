@@ -33,10 +33,26 @@ int angleBin(const Rotation& rotation) {
   return bin % kAngleBins;
 }
 
+/// `angleBin` of one rotation after the other: neighbouring matches mostly have the same one.
+class AngleBins {
+ public:
+  [[nodiscard]] int operator()(const Rotation& rotation) {
+    if (rotation.cosine != last_.cosine || rotation.sine != last_.sine) {
+      last_ = rotation;
+      bin_ = angleBin(rotation);
+    }
+    return bin_;
+  }
+
+ private:
+  Rotation last_;
+  int bin_ = angleBin(Rotation{});
+};
+
 /// What makes two matches of a block equal.
 using Choice = std::uint64_t;
 
-Choice choiceOf(const Match& match) {
+Choice choiceOf(const Match& match, AngleBins& bins) {
   constexpr unsigned kCoordinateBits = 19;  // more than the pyramid's pixels
   constexpr unsigned kAngleBits = 5;
   static_assert(1 << kAngleBits == kAngleBins);
@@ -45,7 +61,7 @@ Choice choiceOf(const Match& match) {
   const auto y = static_cast<Choice>(static_cast<std::int64_t>(match.nearestY())) & kCoordinate;
   return (((static_cast<Choice>(match.frame) << kCoordinateBits | y) << kCoordinateBits | x)
           << kAngleBits) |
-         static_cast<Choice>(angleBin(match.rotation));
+         static_cast<Choice>(bins(match.rotation));
 }
 
 /// Counts the choices of a block.
@@ -57,7 +73,9 @@ class Election {
   }
 
   void vote(Choice choice) {
-    Slot& slot = slotOf(choice);
+    // Most vote as the one before them
+    Slot& slot = last_ != nullptr && last_->choice == choice ? *last_ : slotOf(choice);
+    last_ = &slot;
     if (slot.votes == 0) {
       slot.choice = choice;
       slot.firstMember = members_;
@@ -76,6 +94,7 @@ class Election {
       *slot = Slot{};
     }
     taken_.clear();
+    last_ = nullptr;
     members_ = 0;
     return best.firstMember;
   }
@@ -98,6 +117,7 @@ class Election {
 
   std::vector<Slot> slots_ = std::vector<Slot>(2);  ///< a power of two of them
   std::vector<Slot*> taken_;
+  Slot* last_ = nullptr;  ///< that of the last vote
   std::size_t members_ = 0;
 };
 
@@ -130,6 +150,7 @@ NearestNeighborField downscale(const NearestNeighborField& fine, int level) {
   NearestNeighborField coarse(size);
   parallelFor(size.height, 1, [&](int y) {
     std::vector<Match> matches;
+    AngleBins bins;
     Election election(static_cast<std::size_t>(block) * static_cast<std::size_t>(block));
     for (int x = 0; x < size.width; ++x) {
       matches.clear();
@@ -141,7 +162,7 @@ NearestNeighborField downscale(const NearestNeighborField& fine, int level) {
               match.moved({centre - static_cast<float>(bx), centre - static_cast<float>(by)});
           const Match scaled{(middle.x - centre) * scale, (middle.y - centre) * scale, match.frame,
                              match.rotation};
-          election.vote(choiceOf(scaled));
+          election.vote(choiceOf(scaled, bins));
           matches.push_back(scaled);
         }
       }

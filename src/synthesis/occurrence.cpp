@@ -126,17 +126,25 @@ std::int32_t OccurrenceMap::contribution(int usedX, int usedY, int usedFrame, in
 }
 
 void OccurrenceMap::rebuild(const NearestNeighborField& nnf) {
+  rebuild(nnf, std::vector<RowSpan>(static_cast<std::size_t>(nnf.height()), {0, nnf.width()}));
+}
+
+void OccurrenceMap::rebuild(const NearestNeighborField& nnf, const std::vector<RowSpan>& rows) {
   clear();
   // Each thread goes through all matches, for the rows of the exemplar that are its own
   const int bands = std::min(threadLimit(), size_.height);
   parallelFor(bands, 1, [&](int band) {
     const int top = rowOfBand(band, bands);
     const int bottom = rowOfBand(band + 1, bands);
-    for (const Match& match : nnf) {
-      if (!match.exists()) continue;
-      const int y = std::clamp(match.nearestY(), 0, size_.height - 1);
-      if (y < top || y >= bottom) continue;
-      use(std::clamp(match.nearestX(), 0, size_.width - 1), y, match.frame);
+    for (int row = 0; row < nnf.height(); ++row) {
+      const RowSpan& span = rows[static_cast<std::size_t>(row)];
+      for (int column = span.begin; column < span.end; ++column) {
+        const Match& match = nnf(column, row);
+        if (!match.exists()) continue;
+        const int y = std::clamp(match.nearestY(), 0, size_.height - 1);
+        if (y < top || y >= bottom) continue;
+        use(std::clamp(match.nearestX(), 0, size_.width - 1), y, match.frame);
+      }
     }
   });
   filter();

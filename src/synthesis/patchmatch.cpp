@@ -38,6 +38,18 @@ std::optional<Match> nearestLegal(const ExemplarLevel& exemplar, const Match& ma
   return best;
 }
 
+/// From the first to the last pixel inside, of each row.
+std::vector<RowSpan> spansOf(const TargetLevel& target) {
+  std::vector<RowSpan> rows;
+  for (int y = 0; y < target.size().height; ++y) {
+    RowSpan span{0, target.size().width};
+    while (span.begin < span.end && !target.inside(span.begin, y)) ++span.begin;
+    while (span.end > span.begin && !target.inside(span.end - 1, y)) --span.end;
+    rows.push_back(span);
+  }
+  return rows;
+}
+
 /// The memory that a problem brings along, or else some of its own.
 class Memory {
  public:
@@ -46,9 +58,14 @@ class Memory {
 
   /// The map of the matches of `nnf`.
   const OccurrenceMap& occurrenceOf(const NearestNeighborField& nnf) {
-    if (!memory_.occurrence) memory_.occurrence.emplace(size(), frames(), radius());
-    memory_.occurrence->rebuild(nnf);
-    return *memory_.occurrence;
+    map().rebuild(nnf);
+    return map();
+  }
+  /// The same where there are none but in these rows.
+  const OccurrenceMap& occurrenceOf(const NearestNeighborField& nnf,
+                                    const std::vector<RowSpan>& rows) {
+    map().rebuild(nnf, rows);
+    return map();
   }
 
   /// One scratch map per thread, all zero between tiles.
@@ -62,6 +79,10 @@ class Memory {
   }
 
  private:
+  OccurrenceMap& map() {
+    if (!memory_.occurrence) memory_.occurrence.emplace(size(), frames(), radius());
+    return *memory_.occurrence;
+  }
   [[nodiscard]] Size size() const { return problem_.exemplar.size(); }
   [[nodiscard]] int frames() const { return problem_.exemplar.frameCount(); }
   [[nodiscard]] int radius() const { return problem_.options.occRadiusFrames; }
@@ -120,6 +141,7 @@ Image<float> matchErrors(const SearchProblem& problem, const DistanceWeights& we
       const Segment segment = problem.target.segment(x, y);
       if (segment == Segment::kOutside || !problem.exemplar.isLegal(nnf(x, y), segment)) continue;
       const float bound = bounds == nullptr ? kNever : (*bounds)(x, y);
+      if (bound <= 0.0F) continue;  // before its use is looked up
       const float use = uniformity(segment) * static_cast<float>(occurrence.windowSum(nnf(x, y)));
       if (use >= bound) continue;
       distance.gather(x, y, window);
@@ -146,13 +168,14 @@ SearchStatistics findNearestNeighbors(const SearchProblem& problem, const Distan
   const int workers = std::min(threadLimit(), static_cast<int>(tiles.size()));
   std::vector<UseChanges>& ownChanges = memory.ownChanges(draws ? workers : 0);
   const std::vector<SearchBox> boxes = searchBoxes(problem);
+  const std::vector<RowSpan> rows = spansOf(problem.target);
   const bool focused = problem.options.searchEffort == SearchEffort::kWhereItChanges;
   const bool isFirst = changing == nullptr || changing->empty();
   Mask changed = isFirst ? Mask(nnf.size(), 1) : std::move(*changing);
 
   for (int i = 0; i < iterations; ++i) {
     const NearestNeighborField before = nnf.clone();
-    const OccurrenceMap& occurrence = memory.occurrenceOf(before);
+    const OccurrenceMap& occurrence = memory.occurrenceOf(before, rows);
     const Mask changedBefore = std::exchange(changed, Mask(nnf.size()));
     SweepInputs inputs{problem,
                        distance,

@@ -24,6 +24,12 @@ struct Box {
   }
 };
 
+/// Some pixels of a row, one beside the other.
+struct RowSpan {
+  int begin = 0;
+  int end = 0;  ///< exclusive
+};
+
 /// The box grown by `margin` pixels on every side, as far as an image of `size` reaches. An empty
 /// box stays empty.
 [[nodiscard]] inline Box grown(const Box& box, int margin, Size size) {

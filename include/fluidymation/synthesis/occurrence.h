@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fluidymation/core/box.h"
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
@@ -29,6 +30,8 @@ class OccurrenceMap {
   /// those counted before. Takes time in proportion to the places that any of them reach. Runs in
   /// parallel.
   void rebuild(const NearestNeighborField& nnf);
+  /// The same where row y of `nnf` has no matches but in `rows[y]`.
+  void rebuild(const NearestNeighborField& nnf, const std::vector<RowSpan>& rows);
 
   /// Sum of Omega over the n x n window centred on (x, y) of frame k: n^2 Omega(window).
   [[nodiscard]] std::int32_t windowSum(int x, int y, int k) const { return sums_[index(x, y, k)]; }

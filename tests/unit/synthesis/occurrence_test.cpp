@@ -60,6 +60,29 @@ TEST(Occurrence, WindowSumsFollowTheDefinition) {
   }
 }
 
+/// Where no match lies beyond the rows that are told of, they may as well be left out; what does
+/// lie beyond is not counted.
+TEST(Occurrence, CountsTheRowsThatAreToldOf) {
+  const NearestNeighborField row = randomMatches(40, 5);
+  NearestNeighborField nnf(Size{60, 3});
+  NearestNeighborField cut(nnf.size());
+  std::copy(row.begin(), row.end(), nnf.row(0) + 11);
+  std::copy(row.begin(), row.begin() + 20, nnf.row(2));
+  std::copy(row.begin(), row.end(), cut.row(0) + 11);
+  std::copy(row.begin(), row.begin() + 15, cut.row(2));
+  OccurrenceMap told(kSize, kFrames, kRadius);
+  OccurrenceMap whole(kSize, kFrames, kRadius);
+  told.rebuild(nnf, {{11, 51}, {60, 60}, {0, 15}});
+  whole.rebuild(cut);
+  for (int k = 0; k < kFrames; ++k) {
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        ASSERT_EQ(told.windowSum(x, y, k), whole.windowSum(x, y, k));
+      }
+    }
+  }
+}
+
 /// A map of the whole volume by the definition, with nothing left out.
 class WholeVolume {
  public:
