@@ -16,13 +16,8 @@ namespace fluidymation {
 namespace {
 
 /// Rows of a picture that are averaged at a time. The windows of kPatchRadius rows on either side
-/// are read twice: as many rows as give each thread some bands, so that all end at about the same
-/// time. Sums are of integers, and no matter where bands end.
-int bandRows(int height) {
-  constexpr int kFewestRows = 32;
-  constexpr int kBandsPerThread = 4;
-  return std::max(kFewestRows, height / (kBandsPerThread * threadLimit()));
-}
+/// are read twice.
+constexpr int kBandRows = 32;
 
 /// The nearest place to `match` that is in the image: one that was only enlarged may lie outside.
 Match inImage(const Match& match, Size size) {
@@ -230,10 +225,9 @@ std::vector<Voter> votersOf(float sigmaPx) {
 Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
                      const NearestNeighborField& nnf) {
   Image<FixedLab> picture(nnf.size());
-  const int rows = bandRows(nnf.height());
-  const int bands = (nnf.height() + rows - 1) / rows;
+  const int bands = (nnf.height() + kBandRows - 1) / kBandRows;
   parallelFor(bands, 1, [&](int band) {
-    BandSums sums(nnf.width(), band * rows, std::min((band + 1) * rows, nnf.height()));
+    BandSums sums(nnf.width(), band * kBandRows, std::min((band + 1) * kBandRows, nnf.height()));
     sums.add(exemplar, nnf);
     sums.average(segment, picture);
   });

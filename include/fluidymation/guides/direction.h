@@ -20,9 +20,8 @@ struct DirectionField {
 ///   memory becomes the result's.
 /// @param distance  signed distance of `mask`.
 /// @param origin  where these images begin in the frame; even. They may show a part of it that
-/// holds
-///   the shape and `directionMarginPx` round it, as far as the frame reaches: the same comes out,
-///   bit for bit.
+///   holds the shape and `directionMarginPx` round it, as far as the frame reaches: the same comes
+///   out, bit for bit.
 [[nodiscard]] DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
                                            const Image<float>& distance, Image<Vec2> previous,
                                            Pixel origin = {});
