@@ -15,7 +15,6 @@
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/guide_stream.h"
-#include "fluidymation/guides/material_age.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
@@ -43,6 +42,7 @@
 #include "pipeline/sequence_guides.h"
 #include "pipeline/starting_point.h"
 #include "pipeline/stopping.h"
+#include "pipeline/target_guides.h"
 #include "pipeline/thread_count.h"
 
 namespace fluidymation {
@@ -80,27 +80,11 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
   return true;
 }
 
-/// Makes the guides of the target's frames, with their ages where they are compared.
-std::function<GuideFrame(int)> guideStage(GuideStream& guides, bool withAges) {
-  return [&guides, withAges, ages = std::make_shared<TargetAges>()](int /*frame*/) {
-    GuideFrame frame = guides.next();
-    if (withAges) {
-      frame.age = ages->next(frame.mask);
-      frame.ageGrows = ages->haveGrown();
-    }
-    return frame;
-  };
-}
-
-/// Brings guides and search to where painting begins: the guides of each frame depend on those
-/// before it.
-void goOn(const std::function<GuideFrame(int)>& guide, StartingPoint& start,
-          const Stopping& stopping, Synthesizer& synthesizer) {
-  GuideFrame last;
-  for (int j = 0; j < start.span.begin; ++j) {
-    stopping.check();
-    last = guide(j);
-  }
+/// Brings guides and search to where painting begins.
+void goOn(const GuideSource& guides, StartingPoint& start, const Stopping& stopping,
+          Synthesizer& synthesizer) {
+  const GuideFrame last = passOver(start.span.begin, start.state.has_value(), guides,
+                                   [&stopping] { stopping.check(); });
   if (start.state) {
     synthesizer.restore(std::move(*start.state), last);
   } else {
@@ -206,7 +190,8 @@ void paintInOrder(const Options& given, const Observer& observer) {
   const bool dumps = options.dumpGuidesDirectory.has_value();
   const std::vector<int>& numbers = run.numbers;
   FrameStages stages;
-  stages.guide = guideStage(guides, withAges);
+  const GuideSource targetSource = targetGuides(guides, withAges);
+  stages.guide = [&targetSource](int /*frame*/) { return targetSource.next(); };
   FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span, frameCount,
                        dumps);
   std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
@@ -249,7 +234,7 @@ void paintInOrder(const Options& given, const Observer& observer) {
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
   lock.setUnfinished(true);
   paintSavingState(journal, [&] {
-    goOn(stages.guide, start, stopping, synthesizer);
+    goOn(targetSource, start, stopping, synthesizer);
     runFrames(painter.painted(), stages, shares, events);
   });
   replacement.finish();
