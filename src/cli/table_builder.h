@@ -10,6 +10,7 @@
 #include "cli/option_table.h"
 #include "cli/values.h"
 #include "fluidymation/core/error.h"
+#include "fluidymation/core/text.h"
 #include "fluidymation/option_ranges.h"
 
 namespace fluidymation::cli {

@@ -73,15 +73,6 @@ template <typename T>
 
 }  // namespace
 
-std::string listText(const std::vector<int>& values) {
-  std::string text;
-  for (const int value : values) {
-    if (!text.empty()) text += ',';
-    text += std::to_string(value);
-  }
-  return text;
-}
-
 float parseFloat(const std::string& option, const std::string& text, const Range& range,
                  const std::string& others) {
   return parseReal<float>(option, text, range, others);

@@ -10,9 +10,6 @@
 
 namespace fluidymation::cli {
 
-/// "4,3,2"
-[[nodiscard]] std::string listText(const std::vector<int>& values);
-
 // The readers of option values. The whole text must be one number (or list); nothing depends on the
 // locale. All throw UsageError: "--mask-threshold 0.7: wanted a number in (0, 0.5]".
 

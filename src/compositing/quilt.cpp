@@ -13,13 +13,28 @@
 namespace fluidymation {
 namespace {
 
+// None of these is measured; Efros and Freeman leave the block's size to the user, as the one thing
+// that has to be as large as what a texture consists of.
+
+/// Smallest block, px a side: its overlap of 4 px is the least in which a cut has some ways to go.
 constexpr int kLeastSidePx = 16;
-constexpr int kSidesPerTexture = 3;  ///< blocks along the shorter side of the texture, at least
-constexpr int kSidesPerOverlap = 4;
-/// Places for blocks, in areas of a block: where they were fewer, all would show the same.
-constexpr int kPlacesPerArea = 4;
-constexpr std::size_t kFewestPlaces = 64;  ///< of the smallest blocks
-constexpr int kTries = 60;                 ///< places that a block is chosen from
+/// A block is at most this part of the texture's shorter side, so that there are places to choose
+/// from: along each side it has two thirds of the texture to lie in.
+constexpr int kBlocksPerTextureSide = 3;
+/// A block laps over this part of its side over the one before; Efros and Freeman take a sixth.
+/// Blocks here are small, and a sixth of the smallest would be 2 px.
+constexpr int kOverlapsPerBlockSide = 4;
+/// Wanted places for blocks, in areas of a block: blocks are halved until there are as many. Four
+/// areas are what a bare square of three blocks' side has, (3 - 1)^2; places that overlap each
+/// other more than that would all show the same.
+constexpr int kPlacesPerBlockArea = 4;
+/// Places for the smallest blocks that are enough where there are no more: about as many as are
+/// tried for one block, so that not every block shows the same few.
+constexpr std::size_t kFewestPlaces = 64;
+/// Places drawn at random that a block is the best fitting of: with so many, one of the best
+/// twentieth is among them in 95 of 100 blocks (1 - 0.95^60 = 0.954). Efros and Freeman try all
+/// and draw among those within a tenth of the best.
+constexpr int kTriedPlaces = 60;
 
 [[nodiscard]] float squaredDifference(Rgb a, Rgb b) {
   const float r = a.r - b.r;
@@ -48,7 +63,7 @@ constexpr int kTries = 60;                 ///< places that a block is chosen fr
 class Quilt {
  public:
   Quilt(const Image<Rgb>& texture, int side, Size size)
-      : texture_(texture), side_(side), overlap_(side / kSidesPerOverlap), picture_(size) {}
+      : texture_(texture), side_(side), overlap_(side / kOverlapsPerBlockSide), picture_(size) {}
 
   [[nodiscard]] int step() const { return side_ - overlap_; }
 
@@ -127,9 +142,10 @@ class Quilt {
 
 std::optional<Image<Rgb>> quilted(const Image<Rgb>& texture, const Mask& usable, Size size) {
   assert(texture.size() == usable.size());
-  int side = std::max(kLeastSidePx, std::min(texture.width(), texture.height()) / kSidesPerTexture);
+  int side =
+      std::max(kLeastSidePx, std::min(texture.width(), texture.height()) / kBlocksPerTextureSide);
   std::vector<Pixel> places = placesFor(usable, side);
-  while (places.size() < at(kPlacesPerArea * side * side) && side / 2 >= kLeastSidePx) {
+  while (places.size() < at(kPlacesPerBlockArea * side * side) && side / 2 >= kLeastSidePx) {
     side /= 2;
     places = placesFor(usable, side);
   }
@@ -140,7 +156,7 @@ std::optional<Image<Rgb>> quilted(const Image<Rgb>& texture, const Mask& usable,
       Random random({0, 0, 0, 0, x, y});
       Pixel best = places.front();
       float least = std::numeric_limits<float>::max();
-      for (int i = 0; i < kTries; ++i) {
+      for (int i = 0; i < kTriedPlaces; ++i) {
         const Pixel place = places[random.below(places.size())];
         const float misfit = quilt.misfit(place, {x, y}, least);
         if (misfit >= least) continue;

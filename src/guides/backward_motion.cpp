@@ -35,11 +35,21 @@ int BackwardMotion::blockCount() const { return (frameCount_ + kStoredEvery - 1)
 
 std::vector<Vec2> BackwardMotion::next(const FrameOf& frameOf) {
   assert(nextFrame_ < frameCount_);
-  if (waiting_.empty()) provideBlock(nextFrame_ / kStoredEvery, frameOf);
+  if (waiting_.empty()) provideBlock(frameOf);
   ++nextFrame_;
   std::vector<Vec2> motion = std::move(waiting_.front());
   waiting_.pop_front();
   return motion;
+}
+
+void BackwardMotion::skip() {
+  assert(nextFrame_ < frameCount_);
+  const bool isProvided = !waiting_.empty();
+  if (isProvided) waiting_.pop_front();
+  ++nextFrame_;
+  const int block = nextFrame_ / kStoredEvery;
+  const bool endsBlock = nextFrame_ % kStoredEvery == 0 && block < blockCount();
+  if (endsBlock && !isProvided && !keeps_) store_.drop(firstOfBlocks_[at(block)]);
 }
 
 void BackwardMotion::rewind() {
@@ -48,7 +58,8 @@ void BackwardMotion::rewind() {
   waiting_.clear();
 }
 
-void BackwardMotion::provideBlock(int block, const FrameOf& frameOf) {
+void BackwardMotion::provideBlock(const FrameOf& frameOf) {
+  const int block = nextFrame_ / kStoredEvery;
   const bool isLast = block + 1 == blockCount();
   const int known = isLast ? frameCount_ - 1 : (block + 1) * kStoredEvery;
   MovingFrame later = frameOf(known);
@@ -61,7 +72,7 @@ void BackwardMotion::provideBlock(int block, const FrameOf& frameOf) {
     motion = store_.get<Vec2>(first);
     if (!keeps_) store_.drop(first);
   }
-  for (int i = known - 1; i >= block * kStoredEvery; --i) {
+  for (int i = known - 1; i >= nextFrame_; --i) {
     MovingFrame frame = frameOf(i);
     motion = oneFrameEarlier(later, motion, frame);
     waiting_.push_front(motion);

@@ -1,8 +1,10 @@
 #include "fluidymation/guides/direction.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
@@ -87,6 +89,45 @@ DirectionField flowDirection(const Mask& mask, const Image<Vec2>& flow,
     }
   });
   return result;
+}
+
+Image<Vec2> directionOfLast(int begin, int end,
+                            const std::function<MovingShape(int frame)>& frameOf,
+                            const std::function<Image<float>(int frame)>& distanceOf,
+                            const Image<Vec2>& before) {
+  MovingShape frame = frameOf(end - 1);
+  Image<Vec2> direction(frame.mask.size());
+  std::vector<std::size_t> waiting;  // pixels without a direction yet
+  for (std::size_t i = 0; i < frame.mask.pixelCount(); ++i) {
+    if (frame.mask.data()[i] != 0) waiting.push_back(i);
+  }
+  for (int j = end - 1; !waiting.empty() && j >= begin; --j) {
+    MovingShape previous;
+    if (j > begin) previous = frameOf(j - 1);
+    const auto hasPast = [&](std::size_t i) {
+      if (j > begin) return previous.mask.data()[i] != 0;
+      return !before.empty() && !isZero(before.data()[i]);
+    };
+    std::vector<std::size_t> asking;
+    std::vector<std::size_t> resting;
+    for (const std::size_t i : waiting) {
+      const Vec2 flow = frame.flow.data()[i];
+      if (length(flow) >= kStillPxPerFrame) {
+        direction.data()[i] = unit(flow);
+      } else {
+        (hasPast(i) ? resting : asking).push_back(i);
+      }
+    }
+    if (!asking.empty()) {
+      const DirectionField normals =
+          flowDirection(frame.mask, Image<Vec2>(frame.mask.size()), distanceOf(j), Image<Vec2>());
+      for (const std::size_t i : asking) direction.data()[i] = normals.direction.data()[i];
+    }
+    waiting = std::move(resting);
+    frame = std::move(previous);
+  }
+  for (const std::size_t i : waiting) direction.data()[i] = before.data()[i];
+  return direction;
 }
 
 }  // namespace fluidymation

@@ -138,24 +138,60 @@ bool GuideStream::drawsLines() const {
 }
 
 void GuideStream::addShape(const PackedShape& shape, const Box& box, GuideFrame& guides) {
-  if (shapes_.repeats(nextFrame_) && box == held_.box) {
+  if (held_ && held_->box == box && shapes_.repeats(nextFrame_)) {
     guides.mask = shape.packedMask().unpack(box);
-    guides.distance = held_.distance.clone();
-    guides.coverage = held_.coverage.clone();
-    guides.shape = held_.shape.clone();
+    guides.distance = held_->distance.clone();
+    guides.coverage = held_->coverage.clone();
+    guides.shape = held_->shape.clone();
   } else {
     shape.addTo(guides, box);
     if (shapeBlurRadiusPx_) guides.shape = blurredMask(guides.mask, *shapeBlurRadiusPx_);
-    held_ = {};
+    held_.reset();
     if (shapes_.repeats(nextFrame_ + 1)) {
-      held_ = {box, guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
+      held_ =
+          HeldShape{box, guides.distance.clone(), guides.coverage.clone(), guides.shape.clone()};
     }
   }
 }
 
-GuideFrame GuideStream::next() {
-  return nextWithin({0, 0, shapes_.size().width, shapes_.size().height});
+Image<Vec2> GuideStream::lastDirection(const Box& box) const {
+  return nextFrame_ == 0 ? Image<Vec2>() : scatter(last_.mask, last_.direction, box);
 }
+
+Image<Vec2> GuideStream::directionBefore(int end, const std::function<void()>& beforeEach) const {
+  return directionOfLast(
+      nextFrame_, end,
+      [&](int i) {
+        if (beforeEach) beforeEach();
+        const PackedMask mask = shapes_.shape(i).packedMask();
+        return MovingShape{mask.unpack(), scatter(mask, flow(i))};
+      },
+      [&](int i) {
+        GuideFrame guides;
+        shapes_.shape(i).addTo(guides);
+        return std::move(guides.distance);
+      },
+      lastDirection(wholeBox()));
+}
+
+void GuideStream::accumulate(const PackedMask& mask, const std::vector<Vec2>& flow) {
+  if (nextFrame_ == 0) {
+    last_.accForward.resize(flow.size());
+  } else {
+    last_.accForward = accumulateForward(last_.mask, last_.accForward, mask, flow);
+  }
+  last_.mask = mask;
+}
+
+void GuideStream::finishFrame() {
+  if (!keeps_) {  // given away, and not asked for again
+    shapes_.drop(nextFrame_);
+    if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
+  }
+  ++nextFrame_;
+}
+
+GuideFrame GuideStream::next() { return nextWithin(wholeBox()); }
 
 GuidePart GuideStream::nextPart(int marginPx) {
   const int widest = std::max({marginPx, kShapeMarginPx, directionMarginPx()});
@@ -172,43 +208,50 @@ GuideFrame GuideStream::nextWithin(const Box& box) {
   guides.accBackward = scatter(mask, backward_->next(movingFrames()), box);
   const std::vector<Vec2> flow = this->flow(nextFrame_);
   guides.flow = scatter(mask, flow, box);
+  Image<Vec2> previous = lastDirection(box);
+  accumulate(mask, flow);
+  guides.accForward = scatter(mask, last_.accForward, box);
+
+  guides.diffusion = flows_[at(nextFrame_)].diffusion;
   const bool isStill =
       shapes_.repeats(nextFrame_) &&
       std::all_of(flow.begin(), flow.end(), [](Vec2 v) { return v.x == 0.0F && v.y == 0.0F; });
-  if (nextFrame_ == 0) {
-    last_.accForward.resize(flow.size());
-  } else {
-    last_.accForward = accumulateForward(last_.mask, last_.accForward, mask, flow);
-  }
-  guides.accForward = scatter(mask, last_.accForward, box);
-  if (!keeps_) {  // given away, and not asked for again
-    shapes_.drop(nextFrame_);
-    if (flows_[at(nextFrame_)].flow) store_.drop(*flows_[at(nextFrame_)].flow);
-  }
-
-  const SolveReport& diffusion = flows_[at(nextFrame_)].diffusion;
-  Image<Vec2> previous;
-  if (nextFrame_ > 0) previous = scatter(last_.mask, last_.direction, box);
   if (isStill) {  // every pixel keeps the direction that it has
     guides.direction = std::move(previous);
-    guides.diffusion = diffusion;
   } else {
     DirectionField direction =
         flowDirection(guides.mask, guides.flow, guides.distance, std::move(previous), box.begin());
     guides.direction = std::move(direction.direction);
-    guides.diffusion = worse(diffusion, direction.report);
+    guides.diffusion = worse(guides.diffusion, direction.report);
     last_.direction = gather(mask, guides.direction, box);
   }
-  last_.mask = mask;
-  ++nextFrame_;
+  finishFrame();
   return guides;
+}
+
+void GuideStream::skip(int count, const std::function<void()>& beforeEach,
+                       const std::function<void(const Mask&)>& maskOf) {
+  assert(count >= 0 && nextFrame_ + count <= frameCount());
+  if (count == 0) return;
+  const int end = nextFrame_ + count;
+  const Image<Vec2> direction = directionBefore(end, beforeEach);
+  while (nextFrame_ < end) {
+    if (beforeEach) beforeEach();
+    const PackedMask mask = shapes_.shape(nextFrame_).packedMask();
+    if (maskOf) maskOf(mask.unpack());
+    accumulate(mask, flow(nextFrame_));
+    backward_->skip();
+    finishFrame();
+  }
+  last_.direction = gather(last_.mask, direction);
+  held_.reset();
 }
 
 void GuideStream::rewind() {
   assert(keeps_);
   nextFrame_ = 0;
   backward_->rewind();
-  held_ = {};
+  held_.reset();
   last_ = {};
 }
 

@@ -1,6 +1,7 @@
 #include "inspect/input_check.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -13,48 +14,11 @@
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/frame_sequence.h"
 #include "fluidymation/io/png.h"
+#include "pipeline/fault_list.h"
 #include "pipeline/outputs.h"
 
 namespace fluidymation {
 namespace {
-
-/// Collects what goes wrong, each message once.
-class FaultList {
- public:
-  /// @return  whether `attempt` threw no Error.
-  bool none(const std::function<void()>& attempt) {
-    try {
-      attempt();
-      return true;
-    } catch (const Faults& found) {
-      for (const std::string& line : found.lines()) add(line);
-      return false;
-    } catch (const Error& error) {
-      add(error.what());
-      return false;
-    }
-  }
-
-  [[nodiscard]] bool empty() const { return messages_.empty(); }
-
-  [[nodiscard]] std::vector<std::string> take() {
-    if (unlisted_ > 0) messages_.push_back("... and " + std::to_string(unlisted_) + " more");
-    return std::move(messages_);
-  }
-
- private:
-  void add(const std::string& message) {
-    if (std::find(messages_.begin(), messages_.end(), message) != messages_.end()) return;
-    if (messages_.size() < static_cast<std::size_t>(kMostFaults)) {
-      messages_.push_back(message);
-    } else {
-      ++unlisted_;
-    }
-  }
-
-  std::vector<std::string> messages_;
-  int unlisted_ = 0;
-};
 
 /// The frames that are there of a sequence with gaps, among as many as could be looked for in a
 /// moment.
@@ -78,7 +42,7 @@ FrameFiles find(const std::string& path, const SequenceOptions& sequence, const 
                 FaultList& faults) {
   const FramePattern pattern(path);
   FrameFiles files;
-  if (faults.none([&] { files = findFrames(pattern, sequence, option); })) return files;
+  if (faults.did([&] { files = findFrames(pattern, sequence, option); })) return files;
   return existing(pattern, sequence);
 }
 
@@ -86,12 +50,12 @@ FrameFiles find(const std::string& path, const SequenceOptions& sequence, const 
 
 CheckedInputs checkInputs(const Options& options, const std::function<void()>& beforeFile) {
   CheckedInputs checked;
-  FaultList faults;
+  FaultList faults(static_cast<std::size_t>(kMostFaults));
   const auto decodeAll = [&](const FrameFiles& files, const auto& decode) {
     for (const std::string& path : files.paths) {
       beforeFile();
       if (path.empty()) continue;  // a flow file that is not needed
-      faults.none([&] { decode(path); });
+      faults.did([&] { decode(path); });
       ++checked.filesRead;
     }
   };
@@ -102,14 +66,14 @@ CheckedInputs checkInputs(const Options& options, const std::function<void()>& b
         std::tuple{options.target.path, options.target, "--target-path"}}) {
     const FrameFiles files = find(path, sequence, option, faults);
     decodeAll(files, decodePicture);
-    if (files.count() > 0) faults.none([&files = files] { (void)commonSize(files); });
+    if (files.count() > 0) faults.did([&files = files] { (void)commonSize(files); });
   }
 
   Observer notes;
   notes.note = [&](const std::string& note) { checked.notes.push_back(note); };
   Inputs inputs;
-  if (!faults.none([&] { inputs = openInputs(options, notes); })) {
-    checked.faults = faults.take();
+  if (!faults.did([&] { inputs = openInputs(options, notes); })) {
+    checked.faults = faults.lines();
     return checked;
   }
   for (const auto* flow : {&inputs.sourceFlow, &inputs.targetFlow}) {
@@ -117,9 +81,9 @@ CheckedInputs checkInputs(const Options& options, const std::function<void()>& b
     const Size stored = (*flow)->stored;
     decodeAll((*flow)->files, [stored](const std::string& path) { (void)readFlow(path, stored); });
   }
-  if (!options.outPath.empty()) faults.none([&] { (void)checkOutput(options, inputs); });
+  if (!options.outPath.empty()) faults.did([&] { (void)checkOutput(options, inputs); });
   if (faults.empty()) checked.inputs = std::move(inputs);
-  checked.faults = faults.take();
+  checked.faults = faults.lines();
   return checked;
 }
 

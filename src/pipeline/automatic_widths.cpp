@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -11,22 +10,17 @@
 #include "fluidymation/guides/mask.h"
 #include "fluidymation/guides/rim_profile.h"
 #include "fluidymation/option_ranges.h"
+#include "pipeline/sampled_frames.h"
 
 namespace fluidymation {
 namespace {
 
-constexpr int kFramesLookedAt = 24;
-
-/// The mean-area rule's sigma for a sequence of masks. Looks at no more than kFramesLookedAt of
-/// them, evenly spread: they are decoded once more for it.
+/// The mean-area rule's sigma for a sequence of masks, by `sampledFrames`.
 float automaticSigma(const InputSequence& masks, MaskChannel channel,
                      const std::function<void()>& beforeFrame) {
-  const int count = masks.files.count();
-  const int looks = std::min(count, kFramesLookedAt);
   std::vector<double> areas;
-  for (int i = 0; i < looks; ++i) {
+  for (const int frame : sampledFrames(masks.files.count())) {
     beforeFrame();
-    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
     const Image<float> coverage = readMask(masks, channel, frame).coverage;
     areas.push_back(std::accumulate(coverage.begin(), coverage.end(), 0.0));
   }
@@ -42,11 +36,8 @@ float measuredBorderWidthPx(const Inputs& inputs, MaskChannel sourceChannel,
   // Half the width: the profile has settled where it stays so over a part of a border.
   const int stepPx = std::max(1, static_cast<int>(std::lround(kLeastMeasuredShare * bySize)));
   RimProfile profile(static_cast<int>(std::ceil(kMostMeasuredShare * bySize)) + stepPx);
-  const int count = inputs.color.files.count();
-  const int looks = std::min(count, kFramesLookedAt);
-  for (int i = 0; i < looks; ++i) {
+  for (const int frame : sampledFrames(inputs.color.files.count())) {
     beforeFrame();
-    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
     const Mask mask =
         smoothMask(readMask(inputs.sourceMask, sourceChannel, frame).cut(), smoothing);
     profile.add(toLab(readPicture(inputs.color, frame)), mask);

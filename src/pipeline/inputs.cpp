@@ -9,6 +9,7 @@
 #include "fluidymation/io/frame_pattern.h"
 #include "fluidymation/io/png.h"
 #include "pipeline/backdrop.h"
+#include "pipeline/fault_list.h"
 #include "pipeline/film_window.h"
 #include "pipeline/given_flow.h"
 #include "pipeline/memory_limit.h"
@@ -32,33 +33,6 @@ InputSequence openSequence(const std::string& path, const SequenceOptions& seque
   }
   return input;
 }
-
-/// Faults of the inputs, gathered so that the user sees all of them at once.
-class FaultList {
- public:
-  /// @return  whether `step` was done; what is wrong with the options still ends everything.
-  bool did(const std::function<void()>& step) {
-    try {
-      step();
-      return true;
-    } catch (const UsageError&) {
-      throw;
-    } catch (const Faults& faults) {
-      lines_.insert(lines_.end(), faults.lines().begin(), faults.lines().end());
-    } catch (const Error& error) {
-      lines_.emplace_back(error.what());
-    }
-    return false;
-  }
-
-  /// @throws Faults where there are some.
-  void throwIfAny() const {
-    if (!lines_.empty()) throw Faults(lines_);
-  }
-
- private:
-  std::vector<std::string> lines_;
-};
 
 void requireMasksFit(const Options& options, const Inputs& inputs) {
   const FrameFiles& color = inputs.color.files;
@@ -86,32 +60,33 @@ Size largestStored(const Inputs& inputs) {
 Inputs openInputs(const Options& options, const Observer& observer) {
   Inputs inputs;
   FaultList faults;
-  const bool film = faults.did([&] {
+  const bool film = faults.didUnlessMisused([&] {
     inputs.color = openSequence(options.source.path, options.source, "--src-path", observer);
   });
-  const bool filmMasks = faults.did([&] {
+  const bool filmMasks = faults.didUnlessMisused([&] {
     inputs.sourceMask =
         openSequence(options.sourceMaskPath, options.source, "--src-mask-path", Observer{});
   });
-  const bool target = faults.did([&] {
+  const bool target = faults.didUnlessMisused([&] {
     inputs.target = openSequence(options.target.path, options.target, "--target-path", observer);
   });
-  if (film && filmMasks) faults.did([&] { requireMasksFit(options, inputs); });
+  if (film && filmMasks) faults.didUnlessMisused([&] { requireMasksFit(options, inputs); });
   if (options.sourceFlowPath && filmMasks) {
-    faults.did([&] {
+    faults.didUnlessMisused([&] {
       inputs.sourceFlow =
           openFlowSequence(*options.sourceFlowPath, "--src-flow-path", options.flowConvention,
                            options.source, inputs.sourceMask);
     });
   }
   if (options.targetFlowPath && target) {
-    faults.did([&] {
+    faults.didUnlessMisused([&] {
       inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
                                            options.flowConvention, options.target, inputs.target);
     });
   }
   if (options.background) {
-    faults.did([&] { inputs.background = openBackground("--background", *options.background); });
+    faults.didUnlessMisused(
+        [&] { inputs.background = openBackground("--background", *options.background); });
   }
   faults.throwIfAny();
   requireMemory(options, sizeOfRun(options, inputs));  // in any case, whatever the masks hold

@@ -8,11 +8,10 @@
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/distance_field.h"
 #include "fluidymation/option_ranges.h"
+#include "pipeline/sampled_frames.h"
 
 namespace fluidymation {
 namespace {
-
-constexpr int kFramesLookedAt = 24;
 
 /// How far from any coverage the surface counts as bare.
 [[nodiscard]] int marginPx(Size size) {
@@ -59,11 +58,8 @@ std::optional<Recoloring> recoloringFor(const Options& options, const Inputs& in
                                         const std::function<void()>& beforeFrame) {
   if (!options.recolor) return std::nullopt;
   MediumColors colors;
-  const int count = inputs.color.files.count();
-  const int looks = std::min(count, kFramesLookedAt);
-  for (int i = 0; i < looks; ++i) {
+  for (const int frame : sampledFrames(inputs.color.files.count())) {
     beforeFrame();
-    const auto frame = static_cast<int>(static_cast<std::int64_t>(i) * count / looks);
     colors.add(toLab(readPicture(inputs.color, frame)),
                readMask(inputs.sourceMask, sourceChannel, frame).coverage);
   }

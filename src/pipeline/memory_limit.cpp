@@ -1,10 +1,50 @@
 #include "pipeline/memory_limit.h"
 
+#include <optional>
+
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/text.h"
+#include "fluidymation/option_ranges.h"
 #include "pipeline/machine_memory.h"
 
 namespace fluidymation {
+namespace {
+
+[[nodiscard]] RunSize holding(int frames, const RunSize& run) {
+  RunSize part = run;
+  part.heldFrames = frames;
+  return part;
+}
+
+/// The most frames of the film, fewer than all, that a run may hold at a time within the limit;
+/// none where that does not help enough.
+[[nodiscard]] std::optional<int> windowWithin(std::int64_t limit, const RunSize& run) {
+  int fitting = 0;
+  int tooMany = run.exemplarFrames;
+  while (tooMany - fitting > 1) {
+    const int middle = fitting + (tooMany - fitting) / 2;
+    (bytesOfRun(holding(middle, run)) <= limit ? fitting : tooMany) = middle;
+  }
+  if (fitting < ranges::kLeastWindowFrames) return std::nullopt;
+  return fitting;
+}
+
+/// What makes a run smaller that needs more than the limit.
+[[nodiscard]] std::string waysToNeedLess(const Options& options, const RunSize& run,
+                                         std::int64_t limit) {
+  if (options.sourceWindowFrames > ranges::kLeastWindowFrames) {
+    return "lower --src-frames, --src-window, --src-scale, --target-scale or --threads";
+  }
+  std::string ways = "lower --src-frames, --src-scale, --target-scale or --threads";
+  if (options.sourceWindowFrames != 0) return ways;
+  if (const std::optional<int> frames = windowWithin(limit, run)) {
+    ways += ", or hold a part of the film at a time: --src-window " + std::to_string(*frames) +
+            " needs about " + memoryText(bytesOfRun(holding(*frames, run)));
+  }
+  return ways;
+}
+
+}  // namespace
 
 std::int64_t memoryLimitBytes(const Options& options) {
   return options.maxMemoryBytes ? *options.maxMemoryBytes : machineMemoryBytes();
@@ -20,8 +60,8 @@ void requireMemory(const Options& options, const RunSize& run) {
                    sizeText(run.target) + ", stored with up to " + sizeText(run.largestStored) +
                    ", need about " + memoryText(bytes) + " of memory; wanted at most " +
                    memoryText(limit) +
-                   (options.maxMemoryBytes ? " (--max-memory" : " (what this machine has") +
-                   "); lower --src-frames, --src-window, --src-scale, --target-scale or --threads");
+                   (options.maxMemoryBytes ? " (--max-memory" : " (what this machine has") + "); " +
+                   waysToNeedLess(options, run, limit));
 }
 
 std::string memoryNote(const Options& options, const RunSize& run) {

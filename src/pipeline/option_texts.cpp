@@ -1,20 +1,12 @@
 #include "pipeline/option_texts.h"
 
+#include "fluidymation/core/text.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/presets.h"
 #include "pipeline/backdrop.h"
 
 namespace fluidymation {
 namespace {
-
-[[nodiscard]] std::string listText(const std::vector<int>& values) {
-  std::string text;
-  for (const int value : values) {
-    if (!text.empty()) text += ',';
-    text += std::to_string(value);
-  }
-  return text;
-}
 
 [[nodiscard]] std::string pairText(const ModulationBounds& bounds) {
   return numberText(bounds.upper) + "," + numberText(bounds.lower);

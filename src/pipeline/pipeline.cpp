@@ -1,21 +1,15 @@
 #include "fluidymation/pipeline.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fluidymation/core/color.h"
-#include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/guides/guide_stream.h"
-#include "fluidymation/guides/material_age.h"
 #include "fluidymation/option_ranges.h"
 #include "fluidymation/synthesis/synthesizer.h"
 #include "pipeline/automatic_widths.h"
@@ -28,21 +22,20 @@
 #include "pipeline/frame_painter.h"
 #include "pipeline/frame_replacement.h"
 #include "pipeline/frame_writer.h"
-#include "pipeline/given_flow.h"
 #include "pipeline/guide_dump.h"
 #include "pipeline/inputs.h"
 #include "pipeline/medium_colors.h"
-#include "pipeline/memory.h"
 #include "pipeline/memory_limit.h"
 #include "pipeline/nnf_dump.h"
 #include "pipeline/option_texts.h"
 #include "pipeline/outputs.h"
 #include "pipeline/painting_order.h"
+#include "pipeline/run_guides.h"
 #include "pipeline/run_journal.h"
 #include "pipeline/run_lock.h"
-#include "pipeline/sequence_guides.h"
 #include "pipeline/starting_point.h"
 #include "pipeline/stopping.h"
+#include "pipeline/target_guides.h"
 #include "pipeline/thread_count.h"
 
 namespace fluidymation {
@@ -80,35 +73,45 @@ bool comparesAges(const Options& options, const GuideStream& target, const Obser
   return true;
 }
 
-/// Makes the guides of the target's frames, with their ages where they are compared.
-/// @param marginPx  how far round the shape they are wanted; none: of the whole frame.
-std::function<GuidePart(int)> guideStage(GuideStream& guides, bool withAges,
-                                         std::optional<int> marginPx) {
-  return [&guides, withAges, marginPx, ages = std::make_shared<TargetAges>()](int /*frame*/) {
-    GuidePart frame;
-    if (marginPx) {
-      frame = guides.nextPart(*marginPx);
-    } else {
-      frame.guides = guides.next();
-      frame.part = FramePart::whole(frame.guides.mask.size());
-    }
-    if (withAges) {
-      frame.guides.age = ages->next(frame.guides.mask, frame.part.box);
-      frame.guides.ageGrows = ages->haveGrown();
-    }
-    return frame;
-  };
+/// A run once its inputs have been looked at.
+struct PreparedRun {
+  Options options;  ///< with a value for every width
+  Inputs inputs;
+  MaskChannels channels;
+  std::optional<Recoloring> recoloring;
+  RunIdentity identity;
+  FrameSpan wanted;
+
+  [[nodiscard]] bool dumps() const { return options.dumpGuidesDirectory.has_value(); }
+};
+
+/// Reads all that the run depends on and is not read for guides; changes nothing on the disk.
+/// @param given  leaves widths open.
+PreparedRun preparedRun(const Options& given, Inputs inputs, const Observer& observer,
+                        const std::function<void()>& stopIfWanted) {
+  Options options = given;
+  const std::vector<std::string> outPaths = checkOutput(options, inputs);
+  const MaskChannels channels{maskChannel(inputs.sourceMask, stopIfWanted),
+                              maskChannel(inputs.target, stopIfWanted)};
+  fillAutomaticWidths(inputs, channels.source, channels.target, stopIfWanted, options);
+  tell(observer, chosenWidths(given, options));
+  const std::optional<Recoloring> recoloring =
+      recoloringFor(options, inputs, channels.source, stopIfWanted);
+  RunIdentity identity = identityOf(options, inputs, outPaths, stopIfWanted);
+  const FrameSpan wanted = wantedFrames(options, identity.numbers);
+  return {std::move(options), std::move(inputs), channels, recoloring, std::move(identity), wanted};
 }
 
-/// Brings guides and search to where painting begins: the guides of each frame depend on those
-/// before it.
-void goOn(const std::function<GuidePart(int)>& guide, StartingPoint& start,
-          const Stopping& stopping, Synthesizer& synthesizer) {
-  GuidePart last;
-  for (int j = 0; j < start.span.begin; ++j) {
-    stopping.check();
-    last = guide(j);
-  }
+/// All frames before frame `j` are written.
+void countWritten(const PreparedRun& run, int j, Stopping& stopping) {
+  stopping.setWritten(j - run.wanted.begin, run.wanted.end - run.wanted.begin);
+}
+
+/// Brings guides and search to where painting begins.
+void goOn(const GuideSource& guides, StartingPoint& start, const Stopping& stopping,
+          Synthesizer& synthesizer) {
+  const GuidePart last = passOver(start.span.begin, start.state.has_value(), guides,
+                                  [&stopping] { stopping.check(); });
   if (start.state) {
     synthesizer.restore(std::move(*start.state), last);
   } else {
@@ -116,153 +119,130 @@ void goOn(const std::function<GuidePart(int)>& guide, StartingPoint& start,
   }
 }
 
-/// Paints the frames of the target in the order that the options give.
-void paintInOrder(const Options& given, const Observer& observer) {
-  const ThreadShares shares = shareThreads(given.threads);
-  const ThreadCount threads(given.threads, shares.beside());
+/// Notes on each frame that is not finished; empty where there is none.
+using WaitingNotes = std::deque<std::string>;
 
-  const Inputs inputs = openInputs(given, observer);
-  Options options = given;
-  const std::vector<std::string> outPaths = checkOutput(options, inputs);
-  const int frameCount = inputs.target.files.count();
-  Stopping stopping(observer, frameCount);
-  const auto stopIfWanted = [&] { stopping.check(); };
-
-  // All files are read before anything is written, and only masks, flows and colours are kept: a
-  // damaged one must leave neither half a dump nor an empty folder.
-  const MaskChannel sourceChannel = maskChannel(inputs.sourceMask, stopIfWanted);
-  const MaskChannel targetChannel = maskChannel(inputs.target, stopIfWanted);
-  fillAutomaticWidths(inputs, sourceChannel, targetChannel, stopIfWanted, options);
-  const std::string chosen = chosenWidths(given, options);
-  if (!chosen.empty() && observer.note) observer.note(chosen);
-
-  const std::optional<Recoloring> recoloring =
-      recoloringFor(options, inputs, sourceChannel, stopIfWanted);
-  const RunIdentity run = identityOf(options, inputs, outPaths, stopIfWanted);
-  RunLock lock(run.files);
-  lock.takeIfUsed();
-  const FrameSpan wanted = wantedFrames(options, run.numbers);
-  StartingPoint start = findStart(options.continuation, wanted, run, stopIfWanted);
-  tell(observer, start.note);
-  const FrameReplacement replacement(
-      run, start.span, requireOwnFrames(options.continuation, run, start, stopIfWanted),
-      options.continuation.waysOut);
-  if (start.span.begin == start.span.end) {
-    replacement.finish();
-    return;
-  }
-  const auto countWritten = [&](int j) {  // all before frame j
-    stopping.setWritten(j - wanted.begin, wanted.end - wanted.begin);
-  };
-  countWritten(start.span.begin);
-
-  FrameForm form = formOf(options, inputs, observer, stopIfWanted);
-  RunSize size = sizeOfRun(options, inputs);
-  const FilmWindow window(options, inputs.color.files.count(), frameCount);
-  const auto settingFor = [&](std::int64_t& maskPixels, const std::function<void()>& beforeFlow) {
-    GuideStreamSetting setting;
-    setting.storage = {kWaitingBytes, run.files.folder()};
-    setting.masksRead = [&](std::size_t mostPixels) {
-      maskPixels = static_cast<std::int64_t>(mostPixels);
-      requireMemory(options, size);
-    };
-    setting.beforeFlow = beforeFlow;
-    return setting;
-  };
-  const auto counts = [&](ReadingStage stage, int count) {
-    return countsReading(stopping, observer, stage, count);
-  };
-  const int filmFrames = inputs.sourceMask.files.count();
-  const auto beforeFilmFlow = counts(ReadingStage::kFilmMovement, filmFrames);
-  const auto beforeTargetFlow = counts(ReadingStage::kTargetMovement, frameCount);
-  GuideStreamSetting sourceSetting = settingFor(size.exemplarMaskPixels, beforeFilmFlow);
-  sourceSetting.keeps = !window.isWhole();
-  GuideStream sourceGuides(
-      filmFrames,
-      [&, beforeMask = counts(ReadingStage::kFilmMasks, filmFrames)](int frame) {
-        beforeMask();
-        return readMask(inputs.sourceMask, sourceChannel, frame);
-      },
-      guideOptions(options, *options.blurSigmaPx, MotionModel::kNormals),
-      flowReader(inputs.sourceFlow, beforeFilmFlow), sourceSetting);
-  requireMaterial(options, window, sourceGuides);
-  GuideStream guides(
-      frameCount,
-      [&, beforeMask = counts(ReadingStage::kTargetMasks, frameCount)](int frame) {
-        beforeMask();
-        return readMask(inputs.target, targetChannel, frame);
-      },
-      guideOptions(options, *options.targetBlurSigmaPx, options.motionModel),
-      flowReader(inputs.targetFlow, beforeTargetFlow),
-      settingFor(size.targetMaskPixels, beforeTargetFlow));
-  tell(observer, memoryNote(options, size));
-  tellOfEmptyTarget(observer, options, guides);
-  const bool withAges = comparesAges(options, guides, observer);
-  Film film(options, inputs, window,
-            start.state ? start.state->filmBegin : window.beginFor(start.span.begin), stopping);
-  film.readPictures();
-  createOutputFolders(options, outPaths);
-  tell(observer, lock.take());
-  film.readGuides(sourceGuides, withAges, observer);
-  StopAtStages stops(stopping);
-  Synthesizer synthesizer(film.exemplar(), options.synthesis, &stops);
-  FrameWriter writer(std::move(form));
-  RunJournal journal(run, wanted, start, pathOptions(options), options.continuation);
-  replacement.begin();
-  journal.discardOldStates();
-
-  const bool dumps = options.dumpGuidesDirectory.has_value();
-  const std::vector<int>& numbers = run.numbers;
-  FrameStages stages;
-  stages.guide =
-      guideStage(guides, withAges, dumps ? std::nullopt : std::optional(synthesizer.marginPx()));
-  FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span, frameCount,
-                       dumps);
-  std::deque<std::string> notes;  // on each frame that is not finished; empty where there is none
-  stages.paint = [&](int j, GuidePart frame) {
+/// The stage that paints, see `FrameStages`. What it is given must outlive it.
+auto paintStage(const PreparedRun& run, const FilmWindow& window, Film& film, FramePainter& painter,
+                WaitingNotes& notes) {
+  return [&](int j, GuidePart frame) {
     film.advanceTo(window.beginFor(j));
-    notes.push_back(
-        flowNote("--target-path " + options.target.path, numbers[at(j)], frame.guides.diffusion)
-            .value_or(""));
+    notes.push_back(flowNote("--target-path " + run.options.target.path,
+                             run.identity.numbers[at(j)], frame.guides.diffusion)
+                        .value_or(""));
     std::vector<PaintedFrame> painted = painter.paint(j, std::move(frame));
-    if (recoloring) {
-      for (PaintedFrame& f : painted) recolor(*recoloring, f.guides, f.picture);
+    if (run.recoloring) {
+      for (PaintedFrame& f : painted) recolor(*run.recoloring, f.guides, f.picture);
     }
     return painted;
   };
-  stages.write = [&](int j, const PaintedFrame& painted) {
+}
+
+/// The stage that writes, likewise.
+auto writeStage(const PreparedRun& run, const FrameReplacement& replacement, FrameWriter& writer,
+                RunJournal& journal) {
+  return [&](int j, const PaintedFrame& painted) {
+    const int number = run.identity.numbers[at(j)];
     const Digest digest =
-        writer.write(outPaths[at(j)], painted.part, painted.picture, painted.guides,
+        writer.write(run.identity.framePaths[at(j)], painted.part, painted.picture, painted.guides,
                      [&](const Digest& written) { replacement.beforeWriting(j, written); });
-    if (dumps) {
-      const std::string folder = dumpFolder(options, "target");
-      dumpGuides(folder, numbers[at(j)], painted.guides);
-      dumpNearestNeighborField(folder, numbers[at(j)], *painted.nnf, inputs.color.files.numbers,
-                               inputs.color.scaled);
+    if (run.dumps()) {
+      const std::string folder = dumpFolder(run.options, "target");
+      dumpGuides(folder, number, painted.guides);
+      dumpNearestNeighborField(folder, number, *painted.nnf, run.inputs.color.files.numbers,
+                               run.inputs.color.scaled);
     }
     journal.frameWritten(j, digest, painted.state);
   };
+}
 
+/// What the caller of the run hears of its frames. What it is given must outlive it.
+/// @param end  of the frames that are painted.
+FrameEvents eventsFor(const Observer& observer, const PreparedRun& run, int end, Stopping& stopping,
+                      WaitingNotes& notes) {
   FrameEvents events;
   events.begins = [&](int /*frame*/) { stopping.check(); };
   events.painted = [&](int j) {
     tell(observer, notes.front());
     notes.pop_front();
-    countWritten(j + 1);
+    countWritten(run, j + 1, stopping);
   };
-  events.written = [&](int j, double seconds) {
+  events.written = [&, end](int j, double seconds) {
     if (!observer.frameDone) return;
-    observer.frameDone({j, start.span.end, numbers[at(j)], seconds, outPaths[at(j)],
-                        options.reverse == Reverse::kOn});
+    observer.frameDone({j, end, run.identity.numbers[at(j)], seconds,
+                        run.identity.framePaths[at(j)], run.options.reverse == Reverse::kOn});
   };
+  return events;
+}
+
+/// Makes the guides and paints the frames from `start` on. All files are read before anything is
+/// written, and only masks, flows and colours are kept: a damaged one must leave neither half a
+/// dump nor an empty folder.
+void paintFrom(StartingPoint& start, const PreparedRun& run, const FrameReplacement& replacement,
+               RunLock& lock, Stopping& stopping, const Observer& observer) {
+  const Options& options = run.options;
+  const int frameCount = run.identity.frameCount();
+  FrameWriter writer(formOf(options, run.inputs, observer, [&] { stopping.check(); }));
+  const FilmWindow window(options, run.inputs.color.files.count(), frameCount);
+  RunGuides guides(options, run.inputs, run.channels, window, run.identity.files.folder(), stopping,
+                   observer);
+  tell(observer, memoryNote(options, guides.size()));
+  tellOfEmptyTarget(observer, options, guides.target());
+  const bool withAges = comparesAges(options, guides.target(), observer);
+  Film film(options, run.inputs, window,
+            start.state ? start.state->filmBegin : window.beginFor(start.span.begin), stopping);
+  film.readPictures();
+  createOutputFolders(options, run.identity.framePaths);
+  tell(observer, lock.take());
+  film.readGuides(guides.film(), withAges, observer);
+  StopAtStages stops(stopping);
+  Synthesizer synthesizer(film.exemplar(), options.synthesis, &stops);
+  RunJournal journal(run.identity, run.wanted, start, pathOptions(options), options.continuation);
+  replacement.begin();
+  journal.discardOldStates();
+
+  FramePainter painter(synthesizer, options.synthesis.temporalCoherence, start.span, frameCount,
+                       run.dumps());
+  const std::optional<int> marginPx =
+      run.dumps() ? std::nullopt : std::optional(synthesizer.marginPx());
+  const GuideSource source = targetGuides(guides.target(), marginPx, withAges);
+  WaitingNotes notes;
+  FrameStages stages;
+  stages.guide = [&source](int /*frame*/) { return source.next(); };
+  stages.paint = paintStage(run, window, film, painter, notes);
+  stages.write = writeStage(run, replacement, writer, journal);
   if (observer.paintingBegins) observer.paintingBegins(start.span.begin, start.span.end);
   lock.setUnfinished(true);
   paintSavingState(journal, [&] {
-    goOn(stages.guide, start, stopping, synthesizer);
-    runFrames(painter.painted(), stages, shares, events);
+    goOn(source, start, stopping, synthesizer);
+    runFrames(painter.painted(), stages, shareThreads(options.threads),
+              eventsFor(observer, run, start.span.end, stopping, notes));
   });
-  replacement.finish();
-  lock.setUnfinished(false);
+}
+
+/// Paints the frames of the target in the order that the options give.
+void paintInOrder(const Options& given, const Observer& observer) {
+  const ThreadCount threads(given.threads, shareThreads(given.threads).beside());
+  Inputs inputs = openInputs(given, observer);
+  Stopping stopping(observer, inputs.target.files.count());
+  const auto stopIfWanted = [&stopping] { stopping.check(); };
+  const PreparedRun run = preparedRun(given, std::move(inputs), observer, stopIfWanted);
+  const ContinuationOptions& continuation = run.options.continuation;
+  RunLock lock(run.identity.files);
+  lock.takeIfUsed();
+  StartingPoint start = findStart(continuation, run.wanted, run.identity, stopIfWanted);
+  tell(observer, start.note);
+  const FrameReplacement replacement(
+      run.identity, start.span, requireOwnFrames(continuation, run.identity, start, stopIfWanted),
+      continuation.waysOut);
+  if (start.span.begin != start.span.end) {
+    countWritten(run, start.span.begin, stopping);
+    paintFrom(start, run, replacement, lock, stopping, observer);
+    replacement.finish();
+    lock.setUnfinished(false);
+  } else {
+    replacement.finish();
+  }
 }
 
 }  // namespace

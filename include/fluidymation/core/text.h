@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fluidymation/core/geometry.h"
 
@@ -12,5 +13,15 @@ namespace fluidymation {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 [[nodiscard]] inline std::string sizeText(Size size) { return sizeText(size.width, size.height); }
+
+/// "4,3,2", as lists of options are given.
+[[nodiscard]] inline std::string listText(const std::vector<int>& values) {
+  std::string text;
+  for (const int value : values) {
+    if (!text.empty()) text += ',';
+    text += std::to_string(value);
+  }
+  return text;
+}
 
 }  // namespace fluidymation

@@ -37,13 +37,17 @@ class BackwardMotion {
   /// @throws Error when the store cannot be read; whatever `frameOf` throws.
   [[nodiscard]] std::vector<Vec2> next(const FrameOf& frameOf);
 
+  /// Passes over the next frame: no frame is asked for, and none is gone through whose acc- nobody
+  /// wants.
+  void skip();
+
   /// Begins anew with the first frame; only where what is stored is kept.
   void rewind();
 
  private:
   [[nodiscard]] int blockCount() const;
-  /// Fills in `waiting_` for the frames of a block.
-  void provideBlock(int block, const FrameOf& frameOf);
+  /// Fills in `waiting_` for the next frame and those after it in its block.
+  void provideBlock(const FrameOf& frameOf);
 
   RecordStore& store_;
   int frameCount_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "fluidymation/core/image.h"
 #include "fluidymation/guides/diffusion.h"
 
@@ -28,5 +30,22 @@ struct DirectionField {
 
 /// How far beyond a shape its border normals are made from, px.
 [[nodiscard]] int directionMarginPx();
+
+struct MovingShape {
+  Mask mask;
+  Image<Vec2> flow;  ///< px per frame
+};
+
+/// Directions of the last of the frames begin..end-1, as `flowDirection` gives them one frame after
+/// the other. They are found backwards instead: a pixel has that of the last frame in which it
+/// moved, else the normal of the frame that covered it. So normals are spread in few of the frames.
+/// @param end  above `begin`.
+/// @param frameOf     asked at most once for each frame, from the last one on.
+/// @param distanceOf  gives the signed distance of a frame that was asked for.
+/// @param before  directions of frame begin - 1; an empty image where there is no such frame.
+[[nodiscard]] Image<Vec2> directionOfLast(int begin, int end,
+                                          const std::function<MovingShape(int frame)>& frameOf,
+                                          const std::function<Image<float>(int frame)>& distanceOf,
+                                          const Image<Vec2>& before);
 
 }  // namespace fluidymation

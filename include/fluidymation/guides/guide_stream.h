@@ -64,14 +64,23 @@ class GuideStream {
   /// Whether a frame's mask has no material after smoothing.
   [[nodiscard]] bool isEmpty(int frame) const { return shapes_.pixelCount(frame) == 0; }
 
-  /// Guides of the next frame; must not be called more than `frameCount()` times, after a `rewind`
-  /// as often again.
+  /// Guides of the next frame; it and `skip` must not be called more than `frameCount()` times
+  /// together, after a `rewind` as often again.
   /// @throws Error when the store cannot be read.
   [[nodiscard]] GuideFrame next();
 
   /// The same within a box that holds the shape and at least `marginPx` round it, as far as the
   /// frame reaches; nothing of a frame without a shape.
   [[nodiscard]] GuidePart nextPart(int marginPx);
+
+  /// Passes over the next frames: makes of their guides only what those of later frames depend on,
+  /// the motion accumulated so far and the last directions. The frames after them do not notice.
+  /// @param beforeEach  where given, called before each frame that is gone through; may throw to
+  ///   end there, and for good.
+  /// @param maskOf      where given, is told of the mask of each.
+  /// @throws Error when the store cannot be read.
+  void skip(int count, const std::function<void()>& beforeEach = {},
+            const std::function<void(const Mask&)>& maskOf = {});
 
   /// Begins anew with the first frame: the same guides once more. Only with
   /// `GuideStreamSetting::keeps`.
@@ -110,6 +119,20 @@ class GuideStream {
   /// Fills in what the shape alone says: mask, distance, coverage and blurred mask.
   void addShape(const PackedShape& shape, const Box& box, GuideFrame& guides);
 
+  [[nodiscard]] Box wholeBox() const { return {0, 0, shapes_.size().width, shapes_.size().height}; }
+
+  /// Directions within a box of the frame given last; an empty image before the first one.
+  [[nodiscard]] Image<Vec2> lastDirection(const Box& box) const;
+
+  /// Directions of frame end - 1, when `last_` is of the frame before the next one.
+  [[nodiscard]] Image<Vec2> directionBefore(int end, const std::function<void()>& beforeEach) const;
+
+  /// Takes the motion accumulated so far, and the mask of `last_`, on to the next frame.
+  void accumulate(const PackedMask& mask, const std::vector<Vec2>& flow);
+
+  /// The next frame has had its turn.
+  void finishFrame();
+
   /// Of a shape that the next frame repeats.
   struct HeldShape {
     Box box;
@@ -132,7 +155,7 @@ class GuideStream {
   std::vector<StoredFlow> flows_;
   std::optional<BackwardMotion> backward_;
   int nextFrame_ = 0;
-  HeldShape held_;
+  std::optional<HeldShape> held_;
   LastFrame last_;
 };
 

@@ -71,6 +71,35 @@ TEST(BackwardMotion, IsThatOfTheWholeSequenceAtAnyLength) {
   }
 }
 
+TEST(BackwardMotion, FramesArePassedOverWithoutAskingForAny) {
+  constexpr int kLength = 53;
+  const std::vector<MovingFrame> frames = anySequence(kLength);
+  const std::vector<std::vector<Vec2>> expected = allAtOnce(frames);
+  for (const int first : {0, 1, 5}) {                 // frames that are wanted before
+    for (int from = first; from < kLength; ++from) {  // those up to here are passed over
+      SCOPED_TRACE(std::to_string(first) + " to " + std::to_string(from));
+      RecordStore store({});
+      int earliest = 0;
+      const auto frameOf = [&](int i) {
+        EXPECT_GE(i, earliest);
+        return frames[at(i)];
+      };
+      BackwardMotion motion(kLength, frameOf, store);
+      for (int i = 0; i < first; ++i) (void)motion.next(frameOf);
+      for (int i = first; i < from; ++i) motion.skip();
+      for (int i = from; i < kLength; ++i) {
+        earliest = i;
+        const std::vector<Vec2> given = motion.next(frameOf);
+        ASSERT_EQ(given.size(), expected[at(i)].size());
+        for (std::size_t p = 0; p < given.size(); ++p) {
+          ASSERT_EQ(given[p].x, expected[at(i)][p].x) << "frame " << i;
+          ASSERT_EQ(given[p].y, expected[at(i)][p].y) << "frame " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(BackwardMotion, AsksForNoFrameThatIsGone) {
   const std::vector<MovingFrame> frames = anySequence(30);
   int next = 0;

@@ -1,7 +1,13 @@
 #include "fluidymation/guides/direction.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "fluidymation/core/index.h"
 #include "fluidymation/guides/distance_field.h"
 #include "support/comparison.h"
 #include "support/shapes.h"
@@ -84,6 +90,74 @@ TEST(Direction, HasUnitLengthEverywhereInsideWhateverTheMask) {
       }
     }
   }
+}
+
+/// Masks that come and go, where some pixels move in a frame and most do not.
+std::vector<MovingShape> hesitatingSequence(int frames) {
+  std::vector<MovingShape> sequence;
+  for (int i = 0; i < frames; ++i) {
+    const auto seed = static_cast<std::uint64_t>(200 + i);
+    MovingShape frame{i % 9 == 7 ? Mask(kSize) : test::randomBlobs(kSize, seed / 3), {}};
+    frame.flow = Image<Vec2>(kSize);
+    const Mask moving = test::randomMask(kSize, seed, 20);
+    for (std::size_t p = 0; p < frame.mask.pixelCount(); ++p) {
+      if (frame.mask.data()[p] == 0 || moving.data()[p] == 0) continue;
+      frame.flow.data()[p] = {0.1F * static_cast<float>(i + 1), -0.3F};
+    }
+    sequence.push_back(std::move(frame));
+  }
+  return sequence;
+}
+
+TEST(Direction, OfTheLastFrameOfManyIsThatOfGoingThroughThemAll) {
+  constexpr int kFrames = 24;
+  const std::vector<MovingShape> frames = hesitatingSequence(kFrames);
+  std::vector<Image<Vec2>> oneByOne;
+  for (const MovingShape& frame : frames) {
+    const Image<Vec2> before = oneByOne.empty() ? Image<Vec2>() : oneByOne.back().clone();
+    oneByOne.push_back(
+        flowDirection(frame.mask, frame.flow, signedDistance(frame.mask), before.clone())
+            .direction);
+  }
+  for (int begin = 0; begin < kFrames; ++begin) {
+    for (int end = begin + 1; end <= kFrames; ++end) {
+      SCOPED_TRACE(std::to_string(begin) + " to " + std::to_string(end));
+      int lastAsked = end;
+      const Image<Vec2> last = directionOfLast(
+          begin, end,
+          [&](int i) {
+            EXPECT_EQ(i, --lastAsked);
+            return MovingShape{frames[at(i)].mask.clone(), frames[at(i)].flow.clone()};
+          },
+          [&](int i) { return signedDistance(frames[at(i)].mask); },
+          begin == 0 ? Image<Vec2>() : oneByOne[at(begin - 1)].clone());
+      EXPECT_GE(lastAsked, begin);
+      ASSERT_TRUE(test::nearEverywhere(oneByOne[at(end - 1)], last, 0.0F));
+    }
+  }
+}
+
+TEST(Direction, OfTheLastFrameOfManySpreadsNormalsOnlyWherePixelsStillHaveThem) {
+  const Mask mask = test::disc(kSize, kCentre, 15.0F);
+  std::vector<int> spread;
+  const auto directionWith = [&](int movingFrame) {
+    spread.clear();
+    return directionOfLast(
+        0, 6,
+        [&](int i) {
+          const Vec2 flow = i == movingFrame ? Vec2{0.0F, 1.0F} : Vec2{};
+          return MovingShape{mask.clone(), Image<Vec2>(kSize, flow)};
+        },
+        [&](int i) {
+          spread.push_back(i);
+          return signedDistance(mask);
+        },
+        Image<Vec2>());
+  };
+  EXPECT_EQ(directionWith(2)(20, 20).y, 1.0F);
+  EXPECT_TRUE(spread.empty());
+  (void)directionWith(-1);
+  EXPECT_EQ(spread, std::vector<int>{0});
 }
 
 }  // namespace
