@@ -6,7 +6,7 @@
 #   --minutes  for each target, of processor time (default 5)
 # What is found lies in output/fuzz/TARGET/finds; copied to tests/fuzz/finds/TARGET, every test run tries
 # it again. What the runs have learned stays in output/fuzz/TARGET/corpus for the next ones. Prints one
-# line a target: executions, edges covered, processor time. Exit code 1 where anything was found.
+# line a target: executions, edges covered, processor time up to its last second. Exit code 1 where anything was found.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 minutes=5

@@ -42,7 +42,7 @@ FrameFiles find(const std::string& path, const SequenceOptions& sequence, const 
                 FaultList& faults) {
   const FramePattern pattern(path);
   FrameFiles files;
-  if (faults.did([&] { files = findFrames(pattern, sequence, option); })) return files;
+  if (faults.gather([&] { files = findFrames(pattern, sequence, option); })) return files;
   return existing(pattern, sequence);
 }
 
@@ -55,7 +55,7 @@ CheckedInputs checkInputs(const Options& options, const std::function<void()>& b
     for (const std::string& path : files.paths) {
       beforeFile();
       if (path.empty()) continue;  // a flow file that is not needed
-      faults.did([&] { decode(path); });
+      faults.gather([&] { decode(path); });
       ++checked.filesRead;
     }
   };
@@ -66,13 +66,13 @@ CheckedInputs checkInputs(const Options& options, const std::function<void()>& b
         std::tuple{options.target.path, options.target, "--target-path"}}) {
     const FrameFiles files = find(path, sequence, option, faults);
     decodeAll(files, decodePicture);
-    if (files.count() > 0) faults.did([&files = files] { (void)commonSize(files); });
+    if (files.count() > 0) faults.gather([&files = files] { (void)commonSize(files); });
   }
 
   Observer notes;
   notes.note = [&](const std::string& note) { checked.notes.push_back(note); };
   Inputs inputs;
-  if (!faults.did([&] { inputs = openInputs(options, notes); })) {
+  if (!faults.gather([&] { inputs = openInputs(options, notes); })) {
     checked.faults = faults.lines();
     return checked;
   }
@@ -81,7 +81,7 @@ CheckedInputs checkInputs(const Options& options, const std::function<void()>& b
     const Size stored = (*flow)->stored;
     decodeAll((*flow)->files, [stored](const std::string& path) { (void)readFlow(path, stored); });
   }
-  if (!options.outPath.empty()) faults.did([&] { (void)checkOutput(options, inputs); });
+  if (!options.outPath.empty()) faults.gather([&] { (void)checkOutput(options, inputs); });
   if (faults.empty()) checked.inputs = std::move(inputs);
   checked.faults = faults.lines();
   return checked;

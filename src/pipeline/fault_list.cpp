@@ -6,26 +6,25 @@
 
 namespace fluidymation {
 
-bool FaultList::did(const std::function<void()>& step) {
+bool FaultList::gather(const std::function<void()>& step) {
   try {
     step();
     return true;
-  } catch (const Faults& faults) {
-    for (const std::string& line : faults.lines()) add(line);
-  } catch (const Error& error) {
-    add(error.what());
+  } catch (const Error&) {
+    addCurrent();
+    return false;
   }
-  return false;
 }
 
-bool FaultList::didUnlessMisused(const std::function<void()>& step) {
+bool FaultList::gatherUnlessMisused(const std::function<void()>& step) {
   try {
     step();
     return true;
   } catch (const UsageError&) {
     throw;
   } catch (const Error&) {
-    return did([] { throw; });  // as any other
+    addCurrent();
+    return false;
   }
 }
 
@@ -37,6 +36,16 @@ std::vector<std::string> FaultList::lines() const {
 
 void FaultList::throwIfAny() const {
   if (!empty()) throw Faults(lines());
+}
+
+void FaultList::addCurrent() {
+  try {
+    throw;
+  } catch (const Faults& faults) {
+    for (const std::string& line : faults.lines()) add(line);
+  } catch (const Error& error) {
+    add(error.what());
+  }
 }
 
 void FaultList::add(const std::string& message) {

@@ -17,11 +17,11 @@ class FaultList {
 
   /// Does a step; its Error or Faults are gathered, UsageErrors too.
   /// @return  whether it had none.
-  bool did(const std::function<void()>& step);
+  bool gather(const std::function<void()>& step);
 
   /// The same for a step where what is wrong with the options ends everything.
   /// @throws UsageError of the step.
-  bool didUnlessMisused(const std::function<void()>& step);
+  bool gatherUnlessMisused(const std::function<void()>& step);
 
   [[nodiscard]] bool empty() const { return messages_.empty(); }
 
@@ -32,6 +32,8 @@ class FaultList {
   void throwIfAny() const;
 
  private:
+  /// The exception that is being handled.
+  void addCurrent();
   void add(const std::string& message);
 
   std::size_t most_;

@@ -60,32 +60,32 @@ Size largestStored(const Inputs& inputs) {
 Inputs openInputs(const Options& options, const Observer& observer) {
   Inputs inputs;
   FaultList faults;
-  const bool film = faults.didUnlessMisused([&] {
+  const bool film = faults.gatherUnlessMisused([&] {
     inputs.color = openSequence(options.source.path, options.source, "--src-path", observer);
   });
-  const bool filmMasks = faults.didUnlessMisused([&] {
+  const bool filmMasks = faults.gatherUnlessMisused([&] {
     inputs.sourceMask =
         openSequence(options.sourceMaskPath, options.source, "--src-mask-path", Observer{});
   });
-  const bool target = faults.didUnlessMisused([&] {
+  const bool target = faults.gatherUnlessMisused([&] {
     inputs.target = openSequence(options.target.path, options.target, "--target-path", observer);
   });
-  if (film && filmMasks) faults.didUnlessMisused([&] { requireMasksFit(options, inputs); });
+  if (film && filmMasks) faults.gatherUnlessMisused([&] { requireMasksFit(options, inputs); });
   if (options.sourceFlowPath && filmMasks) {
-    faults.didUnlessMisused([&] {
+    faults.gatherUnlessMisused([&] {
       inputs.sourceFlow =
           openFlowSequence(*options.sourceFlowPath, "--src-flow-path", options.flowConvention,
                            options.source, inputs.sourceMask);
     });
   }
   if (options.targetFlowPath && target) {
-    faults.didUnlessMisused([&] {
+    faults.gatherUnlessMisused([&] {
       inputs.targetFlow = openFlowSequence(*options.targetFlowPath, "--target-flow-path",
                                            options.flowConvention, options.target, inputs.target);
     });
   }
   if (options.background) {
-    faults.didUnlessMisused(
+    faults.gatherUnlessMisused(
         [&] { inputs.background = openBackground("--background", *options.background); });
   }
   faults.throwIfAny();

@@ -10,14 +10,19 @@
 namespace fluidymation {
 namespace {
 
+/// A run that holds so many frames of the film at a time, with masks as large as they may be where
+/// they have not been read: so that it is not refused once they are.
 [[nodiscard]] RunSize holding(int frames, const RunSize& run) {
   RunSize part = run;
   part.heldFrames = frames;
+  const auto pixels = [](Size size) { return std::int64_t{size.width} * size.height; };
+  if (part.exemplarMaskPixels == 0) part.exemplarMaskPixels = pixels(part.exemplar);
+  if (part.targetMaskPixels == 0) part.targetMaskPixels = pixels(part.target);
   return part;
 }
 
-/// The most frames of the film, fewer than all, that a run may hold at a time within the limit;
-/// none where that does not help enough.
+/// A number of frames of the film, fewer than all and as many as bisection finds, that a run may
+/// hold at a time within the limit; none where that does not help enough.
 [[nodiscard]] std::optional<int> windowWithin(std::int64_t limit, const RunSize& run) {
   int fitting = 0;
   int tooMany = run.exemplarFrames;
@@ -39,7 +44,7 @@ namespace {
   if (options.sourceWindowFrames != 0) return ways;
   if (const std::optional<int> frames = windowWithin(limit, run)) {
     ways += ", or hold a part of the film at a time: --src-window " + std::to_string(*frames) +
-            " needs about " + memoryText(bytesOfRun(holding(*frames, run)));
+            " needs at most about " + memoryText(bytesOfRun(holding(*frames, run)));
   }
   return ways;
 }

@@ -12,8 +12,7 @@ namespace fluidymation {
 [[nodiscard]] std::int64_t memoryLimitBytes(const Options& options);
 
 /// @throws UsageError naming the sequences, what they need, what there may be and which options
-/// make
-///   it less, when that is more than the limit. Where the whole film is held, it says how many
+///   make it less, when that is more than the limit. Where the whole film is held, it says how many
 ///   frames of it at a time would fit (--src-window), if any do.
 void requireMemory(const Options& options, const RunSize& run);
 

@@ -175,9 +175,8 @@ FrameEvents eventsFor(const Observer& observer, const PreparedRun& run, int end,
   return events;
 }
 
-/// Makes the guides and paints the frames from `start` on. All files are read before anything is
-/// written, and only masks, flows and colours are kept: a damaged one must leave neither half a
-/// dump nor an empty folder.
+/// Makes the guides and paints the frames from `start` on; writes nothing before all masks, flows
+/// and colours are read.
 void paintFrom(StartingPoint& start, const PreparedRun& run, const FrameReplacement& replacement,
                RunLock& lock, Stopping& stopping, const Observer& observer) {
   const Options& options = run.options;
@@ -220,7 +219,9 @@ void paintFrom(StartingPoint& start, const PreparedRun& run, const FrameReplacem
   });
 }
 
-/// Paints the frames of the target in the order that the options give.
+/// Paints the frames of the target in the order that the options give. All files are read before
+/// anything is written, and only masks, flows and colours are kept: a damaged one must leave
+/// neither half a dump nor an empty folder.
 void paintInOrder(const Options& given, const Observer& observer) {
   const ThreadCount threads(given.threads, shareThreads(given.threads).beside());
   Inputs inputs = openInputs(given, observer);

@@ -24,7 +24,8 @@ struct GuideSource {
 
 /// Passes over the first `count` frames, which are painted already.
 /// @param wantsLast   whether the guides of the last of these are wanted, to go on from a state.
-/// @param beforeEach  called before each frame that is gone through; may throw to end there.
+/// @param beforeEach  called before each frame that is gone through, see `GuideStream::skip`; what
+///   it throws ends the run.
 /// @return  these, else no guides.
 [[nodiscard]] GuidePart passOver(int count, bool wantsLast, const GuideSource& guides,
                                  const std::function<void()>& beforeEach);

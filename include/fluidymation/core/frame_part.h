@@ -6,8 +6,7 @@
 
 namespace fluidymation {
 
-/// The part of a frame that an image of the box's size shows. Beyond the box there is nothing: T{}
-/// in every pixel.
+/// The part of a frame that an image of the box's size shows.
 struct FramePart {
   Size frame;  ///< size of the whole
   Box box;     ///< within it
@@ -21,7 +20,8 @@ struct FramePart {
   }
 };
 
-/// The whole frame of which `image` shows `part`.
+/// The whole frame of which `image` shows `part`, of what is T{} in every pixel beyond it:
+/// pictures, masks, coverage, matches, movement; not distances.
 template <typename T>
 [[nodiscard]] Image<T> wholeFrame(const Image<T>& image, const FramePart& part) {
   return recropped(image, part.box, FramePart::whole(part.frame).box);

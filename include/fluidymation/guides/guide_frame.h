@@ -31,7 +31,8 @@ struct GuideFrame {
   }
 };
 
-/// The guides of a part of a frame: all images have the size of its box.
+/// The guides of a part of a frame, which holds all of the shape: all images have the size of its
+/// box. What the distances are beyond it is not told.
 struct GuidePart {
   FramePart part;
   GuideFrame guides;

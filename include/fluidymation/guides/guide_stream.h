@@ -75,8 +75,9 @@ class GuideStream {
 
   /// Passes over the next frames: makes of their guides only what those of later frames depend on,
   /// the motion accumulated so far and the last directions. The frames after them do not notice.
-  /// @param beforeEach  where given, called before each frame that is gone through; may throw to
-  ///   end there, and for good.
+  /// @param beforeEach  where given, called once or twice for each frame, before it is gone
+  /// through:
+  ///   backwards for directions and forwards for motion. What it throws ends the stream's use.
   /// @param maskOf      where given, is told of the mask of each.
   /// @throws Error when the store cannot be read.
   void skip(int count, const std::function<void()>& beforeEach = {},

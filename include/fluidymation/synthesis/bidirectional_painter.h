@@ -25,9 +25,8 @@ class BidirectionalPainter {
 
   /// Paints the next frame.
   /// @param endsHere  whether it is the last one.
-  /// @return  the frames that are finished by that, in order, those a run can go on after with
-  /// `Painting::forward`: those of
-  ///   a window, or none.
+  /// @return  the frames that are finished by that, in order: those of a window, or none. Those a
+  ///   run can go on after have `Painting::forward`.
   [[nodiscard]] std::vector<Painting> paint(const GuidePart& frame, bool endsHere);
 
  private:

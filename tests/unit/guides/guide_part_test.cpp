@@ -97,6 +97,30 @@ TEST_P(GuideParts, AreWhatTheWholeFrameShowsThere) {
   EXPECT_GE(small, 7) << "nothing was left out";
 }
 
+/// Far out a place is a large number, and what is computed from it is rounded.
+TEST(GuidePartsFarOut, HaveTheDistancesOfTheWholeFrame) {
+  constexpr Size kWide{3000, 60};
+  GuideOptions options;
+  options.mask = {1.0F, 0.4F};
+  const auto input = [&](int i) {
+    const float step = 0.37F * static_cast<float>(i);
+    return InputMask(
+        test::eightBit(test::softDisc(kWide, {2871.3F + step, 31.7F - step}, 15.6F + step)), true);
+  };
+  constexpr int kFrames = 6;
+  GuideStream whole(kFrames, input, options);
+  GuideStream parts(kFrames, input, options);
+  for (int i = 0; i < kFrames; ++i) {
+    const GuideFrame expected = whole.next();
+    const GuidePart part = parts.nextPart(4);
+    EXPECT_LT(part.part.box.size().width, 100);
+    EXPECT_TRUE(test::nearEverywhere(cropped(expected.distance, part.part.box),
+                                     part.guides.distance, 0.0F));
+    EXPECT_TRUE(test::nearEverywhere(cropped(expected.coverage, part.part.box),
+                                     part.guides.coverage, 0.0F));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Margins, GuideParts,
                          ::testing::Values(PartCase{"hard", false, 0.0F, 0},
                                            PartCase{"hardWide", false, 0.0F, 17},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,54 @@ TEST_P(StoredSequence, FramesThatArePassedOverChangeNothingAfterThem) {
       EXPECT_EQ(expected.diffusion.cycles, given.diffusion.cycles);
     }
   }
+}
+
+TEST_P(StoredSequence, PartsAfterFramesThatArePassedOverAreThoseOfTheWhole) {
+  const Case& tested = GetParam();
+  GuideOptions options;
+  options.mask = {1.0F, 0.4F};
+  options.timeBlurSigmaFrames = tested.timeBlurSigma;
+  const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
+  const int first = tested.frames / 2;
+  GuideStream all(tested.frames, readMask, options);
+  GuideStream parts(tested.frames, readMask, options);
+  for (int i = 0; i < first; ++i) (void)all.next();
+  parts.skip(first);
+  for (int i = first; i < tested.frames; ++i) {
+    SCOPED_TRACE("frame " + std::to_string(i));
+    const GuideFrame expected = all.next();
+    const GuidePart given = parts.nextPart(5);
+    const auto shown = [&](const auto& image) { return cropped(image, given.part.box); };
+    EXPECT_TRUE(sameBytes(shown(expected.mask), given.guides.mask));
+    EXPECT_TRUE(sameBytes(shown(expected.distance), given.guides.distance));
+    EXPECT_TRUE(sameBytes(shown(expected.flow), given.guides.flow));
+    EXPECT_TRUE(sameBytes(shown(expected.direction), given.guides.direction));
+    EXPECT_TRUE(sameBytes(shown(expected.accForward), given.guides.accForward));
+    EXPECT_TRUE(sameBytes(shown(expected.accBackward), given.guides.accBackward));
+  }
+}
+
+TEST_P(StoredSequence, PassingOverAsksBeforeEachFrameAndStopsWhereThatThrows) {
+  const Case& tested = GetParam();
+  GuideOptions options;
+  options.mask = {1.0F, 0.4F};
+  const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
+  const auto asksUntil = [&](int last) {
+    GuideStream stream(tested.frames, readMask, options);
+    int asked = 0;
+    const auto ask = [&] {
+      if (++asked == last) throw std::runtime_error("enough");
+    };
+    if (last > 0) {
+      EXPECT_THROW(stream.skip(tested.frames, ask), std::runtime_error);
+    } else {
+      stream.skip(tested.frames, ask);
+    }
+    return asked;
+  };
+  const int asked = asksUntil(0);
+  EXPECT_GT(asked, tested.frames) << "forwards and, for some frames at least, backwards";
+  for (int last = 1; last <= asked; ++last) EXPECT_EQ(asksUntil(last), last);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lengths, StoredSequence,

@@ -214,8 +214,10 @@ TEST(Png, CoverageIsThatOfTheRgbaPixels) {
         specs.push_back(spec);
         if (isPalette) spec.paletteAlpha = {255, 77};
         if (isGray) spec.transparent = {{spec.samples[1], 0, 0}};
-        if (color == PngColor::kRgb) spec.transparent = {{1, 2, 3}};
-        specs.push_back(spec);
+        if (color == PngColor::kRgb) {
+          spec.transparent = {{spec.samples[3], spec.samples[4], spec.samples[5]}};
+        }
+        if (isPalette || isGray || color == PngColor::kRgb) specs.push_back(spec);
       }
     }
   }
@@ -224,6 +226,10 @@ TEST(Png, CoverageIsThatOfTheRgbaPixels) {
     const Image<Rgba> pixels = readPng(path);
     const Image<float> brightness = readCoverage(path, MaskChannel::kBrightness);
     const Image<float> alpha = readCoverage(path, MaskChannel::kAlpha);
+    if (spec.transparent) {
+      EXPECT_EQ(*std::min_element(alpha.begin(), alpha.end()), 0.0F);
+      EXPECT_EQ(*std::max_element(alpha.begin(), alpha.end()), 1.0F);
+    }
     for (std::size_t i = 0; i < pixels.pixelCount(); ++i) {
       const Rgba& p = pixels.data()[i];
       const bool isGray = p.r == p.g && p.g == p.b;

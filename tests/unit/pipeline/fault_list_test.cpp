@@ -14,12 +14,12 @@ using Lines = std::vector<std::string>;
 
 TEST(FaultList, GathersEachMessageOnceInOrder) {
   FaultList faults;
-  EXPECT_TRUE(faults.did([] {}));
+  EXPECT_TRUE(faults.gather([] {}));
   EXPECT_TRUE(faults.empty());
   EXPECT_NO_THROW(faults.throwIfAny());
-  EXPECT_FALSE(faults.did([] { throw Error("b"); }));
-  EXPECT_FALSE(faults.did([] { throw Faults({"a", "b"}); }));
-  EXPECT_FALSE(faults.did([] { throw UsageError("c"); }));
+  EXPECT_FALSE(faults.gather([] { throw Error("b"); }));
+  EXPECT_FALSE(faults.gather([] { throw Faults({"a", "b"}); }));
+  EXPECT_FALSE(faults.gather([] { throw UsageError("c"); }));
   EXPECT_EQ(faults.lines(), (Lines{"b", "a", "c"}));
   try {
     faults.throwIfAny();
@@ -31,17 +31,17 @@ TEST(FaultList, GathersEachMessageOnceInOrder) {
 
 TEST(FaultList, MisuseEndsEverythingWhereItIsSaidTo) {
   FaultList faults;
-  EXPECT_TRUE(faults.didUnlessMisused([] {}));
-  EXPECT_FALSE(faults.didUnlessMisused([] { throw Error("a"); }));
-  EXPECT_FALSE(faults.didUnlessMisused([] { throw Faults({"b", "c"}); }));
-  EXPECT_THROW(faults.didUnlessMisused([] { throw UsageError("d"); }), UsageError);
+  EXPECT_TRUE(faults.gatherUnlessMisused([] {}));
+  EXPECT_FALSE(faults.gatherUnlessMisused([] { throw Error("a"); }));
+  EXPECT_FALSE(faults.gatherUnlessMisused([] { throw Faults({"b", "c"}); }));
+  EXPECT_THROW(faults.gatherUnlessMisused([] { throw UsageError("d"); }), UsageError);
   EXPECT_EQ(faults.lines(), (Lines{"a", "b", "c"}));
 }
 
 TEST(FaultList, CountsWhatIsBeyondTheMost) {
   FaultList faults(2);
   for (const char* message : {"a", "b", "c", "a", "d"}) {
-    faults.did([message] { throw Error(message); });
+    faults.gather([message] { throw Error(message); });
   }
   EXPECT_EQ(faults.lines(), (Lines{"a", "b", "... and 2 more"}));
 }

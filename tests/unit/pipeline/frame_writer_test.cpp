@@ -104,7 +104,10 @@ TEST(FrameWriter, APartIsWrittenAsTheWholeFrame) {
     ofWhole.coverage = wholeFrame(ofPart.coverage, part);
     for (const BitDepth depth : {BitDepth::k8, BitDepth::k16}) {
       for (const bool opaque : {false, true}) {
-        SCOPED_TRACE(opaque);
+        SCOPED_TRACE(::testing::Message()
+                     << "box from " << box.beginX << "," << box.beginY << " to " << box.endX << ","
+                     << box.endY << (depth == BitDepth::k8 ? ", 8 bits" : ", 16 bits")
+                     << (opaque ? ", opaque" : ""));
         FrameForm form{depth};
         if (opaque) form.background = Image<Rgb>(kSize);
         for (std::size_t i = 0; i < form.background.pixelCount(); ++i) {

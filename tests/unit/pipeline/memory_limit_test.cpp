@@ -32,8 +32,21 @@ std::string after(const std::string& words, const std::string& text) {
   return found == std::string::npos ? "" : text.substr(found + words.size());
 }
 
+/// With masks that fill their frames.
+RunSize fullMasks(RunSize run) {
+  run.exemplarMaskPixels = std::int64_t{run.exemplar.width} * run.exemplar.height;
+  run.targetMaskPixels = std::int64_t{run.target.width} * run.target.height;
+  return run;
+}
+
 std::int64_t bytesHolding(int frames) {
   RunSize run = longFilm();
+  run.heldFrames = frames;
+  return bytesOfRun(run);
+}
+
+std::int64_t mostBytesHolding(int frames) {
+  RunSize run = fullMasks(longFilm());
   run.heldFrames = frames;
   return bytesOfRun(run);
 }
@@ -47,16 +60,41 @@ TEST(MemoryLimit, SaysHowManyFramesOfAWholeFilmWouldFit) {
       << message;
   const int frames = std::stoi("0" + after("--src-window ", message));
   ASSERT_GE(frames, 2);
-  EXPECT_LE(bytesHolding(frames), limit);
-  EXPECT_GT(bytesHolding(frames + 1), limit);
-  EXPECT_EQ(after(" needs about ", message), memoryText(bytesHolding(frames)));
+  EXPECT_LE(mostBytesHolding(frames), limit);
+  EXPECT_GT(mostBytesHolding(frames + 1), limit);
+  EXPECT_EQ(after(" needs at most about ", message), memoryText(mostBytesHolding(frames)));
+}
+
+TEST(MemoryLimit, TheWindowThatItNamesIsNotRefusedWhateverTheMasksTurnOutToHold) {
+  for (const std::int64_t limit : {bytesHolding(0) / 2, bytesHolding(0) - 1, mostBytesHolding(2)}) {
+    const std::string message = refusalOf(limitedTo(limit), longFilm());
+    Options options = limitedTo(limit);
+    options.sourceWindowFrames = std::stoi("0" + after("--src-window ", message));
+    ASSERT_GE(options.sourceWindowFrames, 2) << message;
+    for (RunSize run : {longFilm(), fullMasks(longFilm())}) {
+      run.heldFrames = options.sourceWindowFrames;
+      EXPECT_EQ(refusalOf(options, run), "");
+    }
+  }
+}
+
+TEST(MemoryLimit, AWindowGrowsWithItsFrames) {
+  for (const int threads : {1, 8}) {
+    RunSize run = fullMasks(longFilm());
+    run.threads = threads;
+    std::int64_t before = 0;
+    for (run.heldFrames = 2; run.heldFrames < run.exemplarFrames; ++run.heldFrames) {
+      EXPECT_GE(bytesOfRun(run), before) << run.heldFrames << " frames, " << threads << " threads";
+      before = bytesOfRun(run);
+    }
+  }
 }
 
 TEST(MemoryLimit, NamesNoWindowWhereNoneWouldFit) {
-  const std::string message = refusalOf(limitedTo(bytesHolding(2) - 1), longFilm());
+  const std::string message = refusalOf(limitedTo(mostBytesHolding(2) - 1), longFilm());
   EXPECT_EQ(after("(--max-memory); ", message),
             "lower --src-frames, --src-scale, --target-scale or --threads");
-  EXPECT_NE(refusalOf(limitedTo(bytesHolding(2)), longFilm()).find(": --src-window 2 needs"),
+  EXPECT_NE(refusalOf(limitedTo(mostBytesHolding(2)), longFilm()).find(": --src-window 2 needs"),
             std::string::npos);
 }
 

@@ -56,23 +56,31 @@ TEST(TargetGuides, PassingOverStopsWhereTheCallerWantsNoMore) {
   EXPECT_EQ(noting.asked, "sss");
 }
 
-TEST(TargetGuides, AgesCountFramesThatArePassedOver) {
+TEST(TargetGuides, AgesCountFramesThatArePassedOverInWholeFramesAndParts) {
   const auto readMask = [](int i) {
-    return test::disc({60, 50}, {30.0F, 25.0F}, 8.0F + 1.5F * static_cast<float>(i));
+    const auto step = static_cast<float>(i);
+    return test::disc({60, 50}, {30.0F + 0.6F * step, 25.0F}, 8.0F + 1.5F * step);
   };
   constexpr int kFrames = 6;
   GuideStream all(kFrames, readMask, {});
   GuideStream some(kFrames, readMask, {});
+  GuideStream others(kFrames, readMask, {});
+  constexpr int kMarginPx = 5;
   const GuideSource whole = targetGuides(all, std::nullopt, true);
-  const GuideSource part = targetGuides(some, std::nullopt, true);
+  const GuideSource passed = targetGuides(some, std::nullopt, true);
+  const GuideSource inParts = targetGuides(others, kMarginPx, true);
   for (int i = 0; i < kFrames - 2; ++i) (void)whole.next();
-  part.skip(kFrames - 2, [] {});
+  passed.skip(kFrames - 2, [] {});
+  inParts.skip(kFrames - 2, [] {});
   for (int i = kFrames - 2; i < kFrames; ++i) {
     const GuideFrame expected = whole.next().guides;
-    const GuideFrame given = part.next().guides;
     EXPECT_EQ(expected.age(30, 25), static_cast<float>(i));
-    EXPECT_TRUE(test::nearEverywhere(expected.age, given.age, 0.0F));
-    EXPECT_EQ(expected.ageGrows, given.ageGrows);
+    for (const GuideSource& source : {passed, inParts}) {
+      const GuidePart given = source.next();
+      EXPECT_TRUE(
+          test::nearEverywhere(cropped(expected.age, given.part.box), given.guides.age, 0.0F));
+      EXPECT_EQ(expected.ageGrows, given.guides.ageGrows);
+    }
   }
 }
 
