@@ -51,16 +51,21 @@ struct Case {
   bool soft;
 };
 
-class StoredSequence : public ::testing::TestWithParam<Case> {};
-
-TEST_P(StoredSequence, HasTheSameGuidesInMemoryAndOnTheDisk) {
-  const Case& tested = GetParam();
-  const test::TemporaryFolder folder;
+GuideOptions optionsOf(const Case& tested) {
   GuideOptions options;
   options.mask = {1.0F, 0.4F};
   options.timeBlurSigmaFrames = tested.timeBlurSigma;
   options.flowBlurSigmaFrames = tested.flowBlurSigma;
   options.shapeBlurRadiusPx = 5.0F;
+  return options;
+}
+
+class StoredSequence : public ::testing::TestWithParam<Case> {};
+
+TEST_P(StoredSequence, HasTheSameGuidesInMemoryAndOnTheDisk) {
+  const Case& tested = GetParam();
+  const test::TemporaryFolder folder;
+  const GuideOptions options = optionsOf(tested);
   const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
   GuideStream inMemory(tested.frames, readMask, options);
   GuideStream onDisk(tested.frames, readMask, options, {}, {{0, folder.path()}, {}, {}});
@@ -83,11 +88,7 @@ TEST_P(StoredSequence, HasTheSameGuidesInMemoryAndOnTheDisk) {
 TEST_P(StoredSequence, FramesThatArePassedOverChangeNothingAfterThem) {
   const Case& tested = GetParam();
   const test::TemporaryFolder folder;
-  GuideOptions options;
-  options.mask = {1.0F, 0.4F};
-  options.timeBlurSigmaFrames = tested.timeBlurSigma;
-  options.flowBlurSigmaFrames = tested.flowBlurSigma;
-  options.shapeBlurRadiusPx = 5.0F;
+  const GuideOptions options = optionsOf(tested);
   const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
   for (int first = 0; first < tested.frames; ++first) {
     SCOPED_TRACE("up to frame " + std::to_string(first));
@@ -114,9 +115,7 @@ TEST_P(StoredSequence, FramesThatArePassedOverChangeNothingAfterThem) {
 
 TEST_P(StoredSequence, PartsAfterFramesThatArePassedOverAreThoseOfTheWhole) {
   const Case& tested = GetParam();
-  GuideOptions options;
-  options.mask = {1.0F, 0.4F};
-  options.timeBlurSigmaFrames = tested.timeBlurSigma;
+  const GuideOptions options = optionsOf(tested);
   const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
   const int first = tested.frames / 2;
   GuideStream all(tested.frames, readMask, options);
@@ -139,8 +138,7 @@ TEST_P(StoredSequence, PartsAfterFramesThatArePassedOverAreThoseOfTheWhole) {
 
 TEST_P(StoredSequence, PassingOverAsksBeforeEachFrameAndStopsWhereThatThrows) {
   const Case& tested = GetParam();
-  GuideOptions options;
-  options.mask = {1.0F, 0.4F};
+  const GuideOptions options = optionsOf(tested);
   const auto readMask = [&](int i) { return frameOf(i, tested.speed, tested.soft); };
   const auto asksUntil = [&](int last) {
     GuideStream stream(tested.frames, readMask, options);
