@@ -51,8 +51,8 @@ for target in "${targets[@]}"; do
   mkdir -p "$place/corpus" "$place/finds"
   seeds=("tests/fuzz/corpus/$target")
   [ ! -d "tests/fuzz/finds/$target" ] || seeds+=("tests/fuzz/finds/$target")
-  "build/fuzz/tests/fuzz/fuzz_$target" -max_len=$longest_input -timeout=$slowest_s -print_final_stats=1 \
-    -artifact_prefix="$place/finds/" "$place/corpus" "${seeds[@]}" > "$place/log" 2>&1 &
+  "build/fuzz/tests/fuzz/fuzz_$target" -max_len=$longest_input -timeout=$slowest_s -report_slow_units=$slowest_s \
+    -print_final_stats=1 -artifact_prefix="$place/finds/" "$place/corpus" "${seeds[@]}" > "$place/log" 2>&1 &
   stop_after "$!" $((60 * minutes))
   wait "$!" || found=1
   executions=$(sed -n 's/^stat::number_of_executed_units: //p' "$place/log")
