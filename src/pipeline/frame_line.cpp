@@ -90,7 +90,7 @@ class WritingBehind {
 
 ThreadShares shareThreads(int threads) {
   if (threads == 1) return {};
-  return {threads, std::max(2, threads / 2), 1};
+  return {threads, std::max(1, threads / 4), 1};
 }
 
 void runFrames(FrameSpan span, const FrameStages& stages, const ThreadShares& threads,

@@ -60,12 +60,10 @@ struct ThreadShares {
 };
 
 /// How a run with so many threads is shared out. Guides and files are little work next to the
-/// search; they fill what it leaves of the processors where its threads wait for each other. Half
-/// of the threads for the guides' loops let these keep up with the search, and two at least: OpenMP
-/// of GCC spins for milliseconds wherever its threads wait, and takes the processors from what goes
-/// on beside, unless it has more threads than there are processors. With 2 threads on
-/// 2 processors that took 0.59 to 0.64 s of both processors a frame, where one thread for the
-/// guides took 0.73 to 0.76 s (two runs each, short searches).
+/// search; they fill what it leaves of the processors where its threads wait for each other. The
+/// guides of a frame are an eighth of its work and many short loops: a quarter of the threads lets
+/// them keep up, and where that is one, no loop of theirs waits for a second thread that the search
+/// keeps busy (docs/performance.md).
 [[nodiscard]] ThreadShares shareThreads(int threads);
 
 /// Takes the frames of `span` through all stages. `paint` runs in the caller's thread. With
