@@ -137,6 +137,12 @@ struct SynthesisOptions {
   float flowWeight = 0.1F;  ///< motion extent guides; §3.5
   float dirWeight = 0.0F;   ///< directions of movement within a window; §3.6, P§3.2
   float prevWeight = 1.0F;  ///< temporal coherence; §3.7
+  /// How many times over, while the target moves by a border width, the previous frame's colours
+  /// change as the film's do from one distance to the edge to another, see `setPrevious`, at most
+  /// by the whole change in a frame; 0: not at all, as in the thesis. More keeps body colours
+  /// better and fronts less steady (docs/quality.md). Of no account where ages are compared: there
+  /// the film's own time says what becomes of a rim.
+  float prevDeepening = 1.0F;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).
   /// Coherence in the sense of Hertzmann et al., Image Analogies (2001); the thesis has none.

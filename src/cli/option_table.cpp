@@ -129,6 +129,11 @@ void addGuides(Table& table) {
   table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
+  table.real("--prev-deepening", kGuides,
+             "how readily remembered colours follow the film's from rim\n"
+             "to inside, and back, as the shape moves; 0: shapes fade",
+             "", ranges::kDeepenings, "thesis §3.7: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.prevDeepening; });
   addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",

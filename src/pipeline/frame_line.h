@@ -61,9 +61,9 @@ struct ThreadShares {
 
 /// How a run with so many threads is shared out. Guides and files are little work next to the
 /// search; they fill what it leaves of the processors where its threads wait for each other. The
-/// guides of a frame are an eighth of its work and many short loops: a quarter of the threads lets
-/// them keep up, and where that is one, no loop of theirs waits for a second thread that the search
-/// keeps busy (docs/performance.md).
+/// guides of a frame are a small part of its work and many short loops: a quarter of the threads
+/// lets them keep up, and where that is one, no loop of theirs waits for a second thread that the
+/// search keeps busy (docs/performance.md).
 [[nodiscard]] ThreadShares shareThreads(int threads);
 
 /// Takes the frames of `span` through all stages. `paint` runs in the caller's thread. With

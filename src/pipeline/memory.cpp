@@ -29,6 +29,11 @@ constexpr double kAccumulatedBytes = 16.0;     // acc+ and acc-
 constexpr double kMapBytes = 4.0;  // an occurrence map; a group of frames of a tile's changes
 constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twice for a moment
 
+// Of each frame of the exemplar that is held, its colours by depth (`DepthColors`): on so many
+// levels at most (5 * 2^14 px are more than is read) 64 distances, each with its mean and, of one
+// level at a time, its sums.
+constexpr double kDepthColorBytes = 64.0 * (14.0 * sizeof(Lab) + 4.0 * sizeof(std::int64_t));
+
 // Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and
 // directions of this frame and the last one, and the solver that spreads flow or normals over the
 // inside, which at worst is everything. Then for the exemplar the picture as RGBA, as RGB and
@@ -41,7 +46,7 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
-constexpr double kPaintingBytes = 220.0;  // the guides round the mask only
+constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
 // Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
@@ -239,7 +244,8 @@ std::int64_t bytesOfRun(const RunSize& run) {
   const bool sideBySide = shareThreads(run.threads).beside() > 0;
   // A frame that the film moves on to is read where else one is searched
   const double atWork = moves ? std::max(searching, filmFrame) : searching;
-  const double painting = exemplar + exemplarVolume * occurrenceBytes(run) + windowBytes(run) +
+  const double painting = exemplar + exemplarVolume * occurrenceBytes(run) +
+                          heldFrames(run) * kDepthColorBytes + windowBytes(run) +
                           pixels(run.target) * (kWrittenBytes + kFilesWritten * pixelBytes) +
                           (sideBySide ? guiding(target) + atWork + writing
                                       : std::max({guiding(target), atWork, writing}));

@@ -90,6 +90,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--dir-weight", synthesis.dirWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
+  check("--prev-deepening", synthesis.prevDeepening, ranges::kDeepenings);
   check(synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);

@@ -34,6 +34,7 @@ void applyThesisPreset(Options& options) {
   synthesis.flowWeight = 0.1F;
   synthesis.dirWeight = 0.0F;
   synthesis.prevWeight = 1.0F;
+  synthesis.prevDeepening = 0.0F;
   synthesis.coherenceWeight = 0.0F;
   synthesis.temporalCoherence = TemporalCoherence::kForward;
   synthesis.lambda = 2.0F;

@@ -77,7 +77,7 @@ NearestNeighborField Synthesizer::revisedField(const Work& work, int level,
     NearestNeighborField field = downscale(after, level);
     setBothNeighbors(exemplar, borderWidthPx,
                      inPixels(options_.prevModulation, borderWidthPx, work.size),
-                     downscale(before, level), field, target);
+                     downscale(before, level), field, target, deepeningOf(level));
     return field;
   });
   NearestNeighborField nnf = timed(Stage::kMerge, level, [&] {

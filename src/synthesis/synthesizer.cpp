@@ -86,10 +86,7 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& optio
       options_(options),
       observer_(observer),
       filmBegin_(exemplar.firstFrame()) {
-  for (int l = finestOptimized(); l < exemplar.levelCount(); ++l) {
-    expectedUse_.emplace_back(exemplar.level(l), options.occRadiusFrames);
-  }
-  memory_.resize(expectedUse_.size());
+  studyExemplar();
 }
 
 Image<Lab> Synthesizer::paint(const GuideFrame& frame) {
@@ -133,11 +130,26 @@ void Synthesizer::followFilm() {
   toFilmFrames(nnf_, filmBegin_);
   filmBegin_ = exemplar_.firstFrame();
   toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
-  for (std::size_t i = 0; i < expectedUse_.size(); ++i) {
-    memory_[i] = {};  // as large as what the count of uses takes
-    const auto level = static_cast<int>(i) + finestOptimized();
-    expectedUse_[i] = ExpectedUse(exemplar_.level(level), options_.occRadiusFrames);
+  studyExemplar();
+}
+
+void Synthesizer::studyExemplar() {
+  expectedUse_.clear();
+  deepenings_.clear();
+  const bool deepens = options_.prevDeepening > 0.0F && !exemplar_.comparesAges();
+  for (int l = finestOptimized(); l < exemplar_.levelCount(); ++l) {
+    expectedUse_.emplace_back(exemplar_.level(l), options_.occRadiusFrames);
+    if (deepens) {
+      deepenings_.push_back({DepthColors(exemplar_.level(l)), options_.prevDeepening});
+    }
   }
+  memory_.clear();  // as large as what the count of uses takes
+  memory_.resize(expectedUse_.size());
+}
+
+const Deepening* Synthesizer::deepeningOf(int level) const {
+  if (deepenings_.empty()) return nullptr;
+  return &deepenings_[static_cast<std::size_t>(level - finestOptimized())];
 }
 
 NearestNeighborField Synthesizer::nnf() const {
@@ -296,7 +308,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
       NearestNeighborField field = downscale(shifted, level);
       const float borderWidthPx = exemplar.borderWidthPx();
       setPrevious(exemplar, borderWidthPx, inPixels(options_.prevModulation, borderWidthPx, size_),
-                  field, target);
+                  field, target, deepeningOf(level));
       return field;
     });
     if (level == coarsest) {

@@ -14,6 +14,7 @@ TargetLevel::TargetLevel(const GuideLevel& given, float borderWidthPx,
       guides(given.mask.size()),
       direction(given.direction.clone()),
       modulationDistancePx(modulationDistances(given, borderWidthPx, rules)),
+      speed(given.mask.size()),
       picture(given.mask.size()),
       previous(given.mask.size()),
       modulation(given.mask.size()) {
@@ -21,6 +22,7 @@ TargetLevel::TargetLevel(const GuideLevel& given, float borderWidthPx,
   forEachRow(segment.height(), [&](int y) {
     for (int x = 0; x < segment.width(); ++x) {
       segment(x, y) = given.segment(x, y, borderWidthPx);
+      speed(x, y) = length(given.flow(x, y));
       guides(x, y) = {toFixed(shapeChannel(given, x, y, borderWidthPx, rules), kEdgeSteps), 0,
                       toFixed(extentScale(given.extForward(x, y)), extentSteps),
                       toFixed(extentScale(given.extBackward(x, y)), extentSteps)};

@@ -129,6 +129,13 @@ FixedLab mixed(const FixedLab& a, float weightOfA, const FixedLab& b, float weig
   return {mix(a.l, b.l), mix(a.a, b.a), mix(a.b, b.b), 1};
 }
 
+/// `color` changed by a share of `change`.
+FixedLab changedBy(const FixedLab& color, float share, const Lab& change) {
+  const Lab lab = color.lab();
+  return FixedLab::of(
+      {lab.l + share * change.l, lab.a + share * change.a, lab.b + share * change.b});
+}
+
 }  // namespace
 
 NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
@@ -163,7 +170,7 @@ ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
 
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
                  const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
-                 TargetLevel& target) {
+                 TargetLevel& target, const Deepening* deepening) {
   target.previous = vote(exemplar, target.segment, shifted);
   forEachRow(shifted.height(), [&](int y) {
     for (int x = 0; x < shifted.width(); ++x) {
@@ -176,19 +183,28 @@ void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
           modulationDifference(target.modulationDistancePx(x, y),
                                exemplar.modulationDistancePx(sx, sy, match.frame), borderWidthPx);
       target.modulation(x, y) = smoothstep(differencePx, bounds.upper, bounds.lower);
+      FixedLab& previous = target.previous(x, y);
+      if (deepening == nullptr || !previous.exists()) continue;
+      const float share =
+          std::min(deepening->perBorderWidth * target.speed(x, y) / borderWidthPx, 1.0F);
+      const int depthThere = exemplar.texel(sx, sy, match.frame).guides.edge;
+      previous =
+          changedBy(previous, share,
+                    deepening->colors.change(match.frame, depthThere, target.guides(x, y).edge));
     }
   });
 }
 
 void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
                       const ModulationBoundsPx& bounds, const NearestNeighborField& before,
-                      const NearestNeighborField& after, TargetLevel& target) {
+                      const NearestNeighborField& after, TargetLevel& target,
+                      const Deepening* deepening) {
   // Where neither counts at the pixel itself, its neighbours' windows still read both alike.
   constexpr float kLeastWeight = 1.0F / 1024.0F;
-  setPrevious(exemplar, borderWidthPx, bounds, before, target);
+  setPrevious(exemplar, borderWidthPx, bounds, before, target, deepening);
   const Image<FixedLab> picture = std::move(target.previous);
   const Image<float> modulation = target.modulation.clone();
-  setPrevious(exemplar, borderWidthPx, bounds, after, target);
+  setPrevious(exemplar, borderWidthPx, bounds, after, target, deepening);
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
       if (!picture(x, y).exists()) continue;

@@ -60,6 +60,7 @@ const std::vector<Reaching>& reachingOptions() {
       {"--dist-weight", "4", [](C c) { return c.options.synthesis.distWeight == 4.0F; }},
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
+      {"--prev-deepening", "0.5", [](C c) { return c.options.synthesis.prevDeepening == 0.5F; }},
       {"--temporal-coherence", "bidirectional",
        [](C c) {
          return c.options.synthesis.temporalCoherence == TemporalCoherence::kBidirectional;

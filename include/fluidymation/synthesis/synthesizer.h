@@ -7,6 +7,7 @@
 #include "fluidymation/core/frame_part.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
+#include "fluidymation/synthesis/depth_colors.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/occurrence.h"
@@ -147,6 +148,10 @@ class Synthesizer {
   [[nodiscard]] SearchProblem problemOf(const Work& work, int level, const TargetLevel& target);
 
   [[nodiscard]] DistanceWeights weights() const;
+  /// Of a level from `finestOptimized` on; null where the previous frame's colours are kept.
+  [[nodiscard]] const Deepening* deepeningOf(int level) const;
+  /// Makes what depends on the exemplar's frames.
+  void studyExemplar();
 
   /// Runs `body`, a stage on a level, and tells the observer of it.
   template <typename Body>
@@ -156,6 +161,7 @@ class Synthesizer {
   SynthesisOptions options_;
   StageObserver* observer_;
   std::vector<ExpectedUse> expectedUse_;  ///< from `finestOptimized` on
+  std::vector<Deepening> deepenings_;     ///< likewise; empty where they are not wanted
   std::vector<SearchMemory> memory_;      ///< likewise; scratch
 
   // Of the frame painted last, as far as it lies in `box_`, a box round its mask: all other pixels

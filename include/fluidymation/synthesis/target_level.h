@@ -21,6 +21,7 @@ struct TargetLevel {
   Image<FixedGuides> guides;
   Image<Vec2> direction;
   Image<float> modulationDistancePx;  ///< see `modulationDistances`
+  Image<float> speed;                 ///< of the target's flow, px of the finest level per frame
 
   Image<FixedLab> picture;   ///< T^rgb, in CIELAB, inside the mask; changes with every vote
   Image<FixedLab> previous;  ///< T^prev (§3.7), where it exists

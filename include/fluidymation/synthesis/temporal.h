@@ -2,6 +2,7 @@
 
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
+#include "fluidymation/synthesis/depth_colors.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/target_level.h"
@@ -58,20 +59,29 @@ struct ModulationBoundsPx {
 [[nodiscard]] ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
                                           Size target);
 
-/// Fills previous, hasPrevious and modulation of `target` from the shifted matches at its level:
+/// Fills previous and modulation of `target` from the shifted matches at its level:
 /// T^prev is their vote, m(q) = smoothstep(|T^dist - S^dist|, m_u, m_l) with both distances clamped
 /// at the border width unless the level's ShapeRules say otherwise (unclamped, coherence is lost
 /// deep inside every target that is thicker than the exemplar), 0 without match (§3.7).
+/// @param deepening  of the exemplar's level, if given: T^prev is changed as the exemplar's colours
+///   do from the depth of the pixel's match to the pixel's own, in the proportion of what the
+///   target moves there in this frame to the border width, times `Deepening::perBorderWidth`, at
+///   most by the whole difference. Material that was painted as a rim and now lies inside would
+///   otherwise stay as pale as rims are, and paintings of moving shapes lose their body colours
+///   frame by frame (docs/quality.md). Pixels without a match of their own keep what their
+///   neighbours' windows say.
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
                  const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
-                 TargetLevel& target);
+                 TargetLevel& target, const Deepening* deepening = nullptr);
 
 /// The same for a frame between two that are painted, by the matches of either shifted to it. Two
 /// temporal terms, m_b |S - T^before|^2 + m_a |S - T^after|^2, are one for the mean of both
 /// pictures weighted by their modulations, but for a constant; it gets the larger of the two
-/// modulations, so that a frame between two weighs no more than one after another.
+/// modulations, so that a frame between two weighs no more than one after another. What the frame
+/// itself moves counts for the deepening of both.
 void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
                       const ModulationBoundsPx& bounds, const NearestNeighborField& before,
-                      const NearestNeighborField& after, TargetLevel& target);
+                      const NearestNeighborField& after, TargetLevel& target,
+                      const Deepening* deepening = nullptr);
 
 }  // namespace fluidymation

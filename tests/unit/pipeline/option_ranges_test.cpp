@@ -94,6 +94,7 @@ const std::vector<Fault>& faults() {
       {"edgeGain -1: ", [](Options& o) { o.synthesis.edgeGain = -1.0F; }},
       {"--flow-weight inf: ", [](Options& o) { o.synthesis.flowWeight = kInfinity; }},
       {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},
+      {"--prev-deepening 1001: ", [](Options& o) { o.synthesis.prevDeepening = 1001.0F; }},
       {"--coherence-weight -1: ", [](Options& o) { o.synthesis.coherenceWeight = -1.0F; }},
       {"--lambda nan: ", [](Options& o) { o.synthesis.lambda = kNan; }},
       {"--border-width 0.05: wanted a number in [0.1, 10000]",

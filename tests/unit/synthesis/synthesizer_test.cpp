@@ -202,6 +202,7 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   differs("dist-weight", [](SynthesisOptions& o) { o.distWeight = 0.0F; });
   differs("flow-weight", [](SynthesisOptions& o) { o.flowWeight = 5.0F; });
   differs("prev-weight", [](SynthesisOptions& o) { o.prevWeight = 0.0F; });
+  differs("prev-deepening", [](SynthesisOptions& o) { o.prevDeepening = 2.5F; });
   differs("coherence-weight", [](SynthesisOptions& o) { o.coherenceWeight = 100.0F; });
   differs("lambda", [](SynthesisOptions& o) { o.lambda = 0.0F; });
   differs("occ-radius", [](SynthesisOptions& o) { o.occRadiusFrames = 0; });

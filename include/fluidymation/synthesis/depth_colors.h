@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fluidymation/core/color.h"
+#include "fluidymation/synthesis/exemplar.h"
+
+namespace fluidymation {
+
+/// What the exemplar's colours are on average at each distance to the edge, frame by frame: how the
+/// medium changes at a place that the front passes over. The distance is told by the edge guide,
+/// from the edge to the border width; all that lies deeper is one. Only the medium counts: outside
+/// it is as at its edge.
+///
+/// Frames are averaged with those near them, distances with those beside them, and where a frame
+/// has few pixels of a distance, the whole exemplar speaks.
+class DepthColors {
+ public:
+  explicit DepthColors(const ExemplarLevel& exemplar);
+
+  /// By how much colours of frame `k` at `to` differ from those at `from`.
+  /// @param from, to  FixedGuides::edge, any values.
+  [[nodiscard]] Lab change(int k, int from, int to) const;
+
+ private:
+  /// Between the distances that are told apart; exact at each of them.
+  [[nodiscard]] Lab colorAt(int k, int edge) const;
+
+  float step_;  ///< of the edge guide, in its steps, from one distance to the next, from 0 on
+  std::size_t distances_;
+  std::vector<Lab> colors_;  ///< of each distance, outermost first; one frame after the other
+};
+
+/// How the previous frame's colours follow the depth at which material comes to lie.
+struct Deepening {
+  DepthColors colors;
+  float perBorderWidth = 0.0F;  ///< see SynthesisOptions::prevDeepening
+};
+
+}  // namespace fluidymation

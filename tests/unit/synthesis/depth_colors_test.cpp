@@ -1,0 +1,232 @@
+#include "fluidymation/synthesis/depth_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fluidymation/synthesis/channels.h"
+#include "fluidymation/synthesis/synthesizer.h"
+#include "fluidymation/synthesis/temporal.h"
+#include "support/synthetic_scene.h"
+
+namespace fluidymation {
+namespace {
+
+constexpr float kBorderPx = 8.0F;
+
+/// Lightness of a medium that gets darker by `perPx` up to the border width, and grain on it.
+Image<Lab> darkeningInwards(const GuideFrame& guides, float perPx, float grain = 0.0F) {
+  Image<Lab> picture(guides.mask.size());
+  const Image<Lab> texture = test::randomTexture(picture.size(), 5);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const float speck = grain * (texture(x, y).l - 50.0F) / 20.0F;
+      const float depth = std::min(guides.distance(x, y), kBorderPx);
+      picture(x, y) = {90.0F - perPx * depth + speck, 2.0F * depth, 0.0F};
+    }
+  }
+  return picture;
+}
+
+/// A film of a growing disc; frame k gets darker by `perPx(k)`.
+template <typename PerPx>
+Exemplar filmOf(const test::GrowingDisc& disc, int coarsest, const PerPx& perPx,
+                float grain = 0.0F) {
+  Exemplar film(disc.size, disc.frameCount, coarsest, kBorderPx);
+  for (int k = 0; k < disc.frameCount; ++k) {
+    const GuideFrame guides = disc.guides(k);
+    film.setColor(k, darkeningInwards(guides, perPx(k), grain));
+    film.setGuides(k, guides);
+  }
+  film.finish();
+  return film;
+}
+
+/// The edge guide at a depth, as it is kept.
+int edgeAt(float depthPx) { return toFixed(edgeChannel(depthPx, kBorderPx), kEdgeSteps); }
+
+class DepthColorsTest : public ::testing::Test {
+ protected:
+  test::GrowingDisc disc_{Size{72, 64}, {36.0F, 32.0F}, 14.0F, 1.0F, 12};
+};
+
+TEST_F(DepthColorsTest, TellTheProfileOfTheFilm) {
+  const Exemplar film = filmOf(disc_, 0, [](int) { return 5.0F; });
+  const DepthColors colors(film.level(0));
+  for (int k = 0; k < disc_.frameCount; ++k) {
+    EXPECT_NEAR(colors.change(k, edgeAt(2.0F), edgeAt(6.0F)).l, -20.0F, 1.5F) << k;
+    EXPECT_NEAR(colors.change(k, edgeAt(6.0F), edgeAt(3.0F)).l, 15.0F, 1.5F) << k;
+    EXPECT_NEAR(colors.change(k, edgeAt(2.0F), edgeAt(6.0F)).a, 8.0F, 0.6F) << k;
+    EXPECT_EQ(colors.change(k, edgeAt(2.0F), edgeAt(6.0F)).b, 0.0F) << k;
+  }
+}
+
+/// Against means over every pixel of the medium, where frames are alike and there is no grain, so
+/// that averaging over frames and near distances changes nothing.
+TEST_F(DepthColorsTest, AreMeansOverAllPixelsOfADistance) {
+  const test::GrowingDisc still{disc_.size, disc_.centre, 18.0F, 0.0F, 3};
+  const Exemplar film = filmOf(
+      still, 0, [](int) { return 5.0F; }, 12.0F);
+  const ExemplarLevel& level = film.level(0);
+  const DepthColors colors(level);
+  const auto meanAt = [&](float fromPx, float toPx) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < still.size.height; ++y) {
+      for (int x = 0; x < still.size.width; ++x) {
+        const int edge = level.texel(x, y, 1).guides.edge;
+        if (level.segment(x, y, 1) == Segment::kOutside || edge < edgeAt(fromPx)) continue;
+        if (edge > edgeAt(toPx)) continue;
+        sum += static_cast<double>(level.texel(x, y, 1).color.lab().l);
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  const double interior = meanAt(kBorderPx, kBorderPx);
+  for (const float depth : {2.0F, 3.5F, 5.0F, 6.5F}) {
+    const double there = meanAt(depth - 0.75F, depth + 0.75F);
+    EXPECT_NEAR(colors.change(1, edgeAt(depth), edgeAt(kBorderPx)).l, interior - there, 1.0);
+  }
+  for (const int deeper : {edgeAt(kBorderPx), 30000}) {
+    EXPECT_EQ(colors.change(1, edgeAt(kBorderPx), deeper).l, 0.0F) << "deep inside all is alike";
+  }
+}
+
+/// A strong colour outside, which must not show, however wide the border and whatever tells depths.
+TEST_F(DepthColorsTest, TheSurfaceDoesNotCount) {
+  for (const float borderPx : {0.1F, 8.0F, 100.0F, 10000.0F}) {
+    for (const ShapeGuide guide : {ShapeGuide::kEdgeDistance, ShapeGuide::kBlurredMask}) {
+      ShapeRules rules;
+      rules.guide = guide;
+      Exemplar film(disc_.size, disc_.frameCount, 1, borderPx, rules);
+      for (int k = 0; k < disc_.frameCount; ++k) {
+        GuideFrame guides = disc_.guides(k);
+        Image<Lab> picture(disc_.size, Lab{20.0F, 100.0F, -100.0F});
+        guides.shape = Image<float>(disc_.size);
+        for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+          if (guides.mask.data()[i] == 0) continue;
+          picture.data()[i] = {70.0F, 0.0F, 0.0F};
+          guides.shape.data()[i] = std::min(0.5F + 0.05F * guides.distance.data()[i], 1.0F);
+        }
+        film.setColor(k, picture);
+        film.setGuides(k, guides);
+      }
+      film.finish();
+      const DepthColors colors(film.level(0));
+      for (int edge = -20000; edge < 20000; edge += 97) {
+        const Lab change = colors.change(5, edge, edgeAt(kBorderPx));
+        ASSERT_EQ(change.l, 0.0F) << borderPx << " px, edge " << edge;
+        ASSERT_EQ(change.a, 0.0F);
+      }
+    }
+  }
+}
+
+TEST_F(DepthColorsTest, FramesHaveProfilesOfTheirOwn) {
+  const Exemplar film = filmOf(disc_, 0, [](int k) { return k < 6 ? 2.0F : 6.0F; });
+  const DepthColors colors(film.level(0));
+  EXPECT_NEAR(colors.change(1, edgeAt(2.0F), edgeAt(6.0F)).l, -8.0F, 2.0F);
+  EXPECT_NEAR(colors.change(11, edgeAt(2.0F), edgeAt(6.0F)).l, -24.0F, 3.0F);
+}
+
+/// Of a level of few pixels, where most distances have none.
+TEST_F(DepthColorsTest, DistancesWithoutPixelsHaveTheColoursOfTheirNeighbours) {
+  const Exemplar film = filmOf(disc_, 3, [](int) { return 5.0F; });
+  for (int l = 0; l < film.levelCount(); ++l) {
+    const DepthColors colors(film.level(l));
+    for (int k = 0; k < disc_.frameCount; ++k) {
+      for (int edge = edgeAt(-3.0F); edge <= edgeAt(kBorderPx); edge += 3) {
+        const float change = colors.change(k, edge, edgeAt(kBorderPx)).l;
+        ASSERT_TRUE(std::isfinite(change));
+        ASSERT_LT(std::abs(change), 60.0F) << "level " << l << " frame " << k << " edge " << edge;
+      }
+    }
+  }
+}
+
+TEST_F(DepthColorsTest, AFilmWithoutMediumChangesNothing) {
+  Exemplar film(disc_.size, 2, 1, kBorderPx);
+  for (int k = 0; k < 2; ++k) {
+    GuideFrame guides = disc_.guides(k);
+    guides.mask = Mask(disc_.size);
+    guides.distance = Image<float>(disc_.size, -136.0F);  // as a distance field says it
+    film.setColor(k, test::randomTexture(disc_.size, 3));
+    film.setGuides(k, guides);
+  }
+  film.finish();
+  for (int l = 0; l < film.levelCount(); ++l) {
+    const DepthColors colors(film.level(l));
+    EXPECT_EQ(colors.change(0, edgeAt(1.0F), edgeAt(5.0F)).l, 0.0F);
+  }
+}
+
+/// What a frame remembers of the one before where a target moves by `speedPx` a frame: at a pixel
+/// whose match was rim and that lies inside now, and at one that always lay inside.
+TargetLevel remembering(const Exemplar& film, float speedPx, const Deepening* deepening) {
+  const test::GrowingDisc disc{Size{72, 64}, {36.0F, 32.0F}, 20.0F, speedPx, 1};
+  NearestNeighborField field(disc.size);
+  // In frame 6 the film's disc has a radius of 20 px: these lie 2 and 12 px deep there
+  field(36 + 10, 32) = {36.0F + 18.0F, 32.0F, 6, Rotation{}};
+  field(36 - 8, 32) = {36.0F - 8.0F, 32.0F, 6, Rotation{}};
+  TargetLevel target(finestLevel(disc.guides(0)), kBorderPx);
+  setPrevious(film.level(0), kBorderPx, {8.0F, 2.0F}, field, target, deepening);
+  return target;
+}
+
+TEST_F(DepthColorsTest, ThePreviousPictureFollowsTheDepthAsFarAsTheTargetMoves) {
+  const Exemplar film = filmOf(disc_, 0, [](int) { return 5.0F; });
+  const Deepening once{DepthColors(film.level(0)), 1.0F};
+  const auto lightness = [](const TargetLevel& level, int x) {
+    return level.previous(x, 32).lab().l;
+  };
+  const TargetLevel kept = remembering(film, kBorderPx, nullptr);
+  EXPECT_NEAR(lightness(kept, 46), 80.0F, 1.0F);
+  EXPECT_EQ(lightness(remembering(film, 0.0F, &once), 46), lightness(kept, 46)) << "at rest";
+  EXPECT_NEAR(lightness(remembering(film, kBorderPx / 2, &once), 46), 65.0F, 1.5F);
+  for (const float speedPx : {kBorderPx, 3.0F * kBorderPx}) {
+    const TargetLevel deepened = remembering(film, speedPx, &once);
+    EXPECT_NEAR(lightness(deepened, 46), 50.0F, 2.0F) << "10 px deep now: dark as the interior";
+    EXPECT_EQ(lightness(deepened, 28), lightness(kept, 28)) << "interior before and after";
+    EXPECT_EQ(deepened.modulation(46, 32), kept.modulation(46, 32));
+  }
+}
+
+/// By how much what lies inside is lighter than in the film, in the last frame of a disc that
+/// travels by twice its own width.
+double palerThanTheFilm(const Exemplar& film, double filmsInterior, float deepening) {
+  SynthesisOptions options;  // the standard look
+  options.prevDeepening = deepening;
+  Synthesizer synthesizer(film, options);
+  double sum = 0.0;
+  int count = 0;
+  constexpr int kFrames = 16;
+  for (int j = 0; j < kFrames; ++j) {
+    const float x = 20.0F + 3.0F * static_cast<float>(j);
+    const test::GrowingDisc target{Size{84, 40}, {x, 20.0F}, 12.0F, 3.0F, 1};
+    const GuideFrame guides = target.guides(0);
+    const Image<Lab> picture = synthesizer.paint(guides);
+    if (j + 1 < kFrames) continue;
+    for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+      if (guides.distance.data()[i] < kBorderPx) continue;
+      sum += picture.data()[i].l;
+      ++count;
+    }
+  }
+  return sum / count - filmsInterior;
+}
+
+TEST_F(DepthColorsTest, AShapeThatTravelsKeepsItsBodyColour) {
+  const Exemplar film = filmOf(
+      disc_, 2, [](int) { return 6.0F; }, 30.0F);
+  constexpr double kFilmsInterior = 90.0 - 6.0 * kBorderPx;
+  const double kept = palerThanTheFilm(film, kFilmsInterior, 0.0F);
+  const double deepened = palerThanTheFilm(film, kFilmsInterior, SynthesisOptions{}.prevDeepening);
+  EXPECT_GT(kept, 8.0) << "the film is too plain to tell";
+  EXPECT_LT(std::abs(deepened), 0.5 * kept);
+}
+
+}  // namespace
+}  // namespace fluidymation
