@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "fluidymation/core/geometry.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/synthesis/channels.h"
 
@@ -78,7 +79,8 @@ std::vector<ColorSum> sumsOf(const ExemplarLevel& exemplar, std::size_t distance
         if (exemplar.segment(x, y, k) == Segment::kOutside) continue;
         const Texel& texel = exemplar.texel(x, y, k);
         const float at = static_cast<float>(texel.guides.edge) * perStep;
-        ofFrame[static_cast<std::size_t>(std::clamp(at, 0.0F, deepest) + 0.5F)].add(texel.color);
+        const int nearest = floorToInt(std::clamp(at, 0.0F, deepest) + 0.5F);
+        ofFrame[static_cast<std::size_t>(nearest)].add(texel.color);
       }
     }
   });
