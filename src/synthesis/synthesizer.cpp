@@ -80,10 +80,10 @@ Mask paintedPixels(const GuideFrame& frame) {
 
 }  // namespace
 
-Synthesizer::Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options,
+Synthesizer::Synthesizer(const Exemplar& exemplar, SynthesisOptions options,
                          StageObserver* observer)
     : exemplar_(exemplar),
-      options_(options),
+      options_(std::move(options)),
       observer_(observer),
       filmBegin_(exemplar.firstFrame()) {
   studyExemplar();

@@ -34,7 +34,7 @@ class Synthesizer {
   ///   `coarsestLevel` of its size and the target's. It may advance in its film between frames:
   ///   matches in frames that it has let go of then move to the nearest one that it holds.
   /// @param observer  is told of the stages if given; must outlive the synthesizer.
-  Synthesizer(const Exemplar& exemplar, const SynthesisOptions& options,
+  Synthesizer(const Exemplar& exemplar, SynthesisOptions options,
               StageObserver* observer = nullptr);
 
   /// Paints the target's next frame; all frames have one size. An empty mask gives an empty
