@@ -43,6 +43,7 @@ inline constexpr Range kWeights{0, 1e6};
 inline constexpr Range kVoteSigmasPx{0, 100};
 inline constexpr Range kDeepenings{0, 1000};
 inline constexpr Range kOccurrenceRadii{0, 1e4};
+inline constexpr Range kDepthReaches{0, 1e4};
 /// The search box shrinks to a pixel in log(side) / -log(alpha) candidates, each a patch distance:
 /// 21 of them for 400 px at 0.75, 596 at 0.99, and without bound towards 1.
 inline constexpr Range kAlphas{0, 0.99, true};

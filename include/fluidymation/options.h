@@ -143,6 +143,10 @@ struct SynthesisOptions {
   /// better and fronts less steady (docs/quality.md). Of no account where ages are compared: there
   /// the film's own time says what becomes of a rim.
   float prevDeepening = 1.0F;
+  /// Frames of the exemplar by which a match of the previous frame may be moved on, forwards or
+  /// backwards, to lie as deep inside the mask as its pixel, see `fitDepths`; 0: none, as in the
+  /// thesis.
+  int prevDepthReachFrames = 20;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).
   /// Coherence in the sense of Hertzmann et al., Image Analogies (2001); the thesis has none.

@@ -134,6 +134,11 @@ void addGuides(Table& table) {
              "frame to frame; 2.5: they keep more, fronts less steady",
              "", ranges::kDeepenings, "thesis §3.7: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevDeepening; });
+  table.integer("--prev-depth-reach", kGuides,
+                "how far in the film's time remembered matches may go to lie\n"
+                "as deep inside the mask as their pixels; 0: not at all",
+                "frames", ranges::kDepthReaches, "thesis §3.7: 0",
+                [](CommandLine& c) -> int& { return c.options.synthesis.prevDepthReachFrames; });
   addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",

@@ -91,6 +91,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--dir-weight", synthesis.dirWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
   check("--prev-deepening", synthesis.prevDeepening, ranges::kDeepenings);
+  check("--prev-depth-reach", synthesis.prevDepthReachFrames, ranges::kDepthReaches);
   check(synthesis.prevModulation);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);

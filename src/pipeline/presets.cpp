@@ -35,6 +35,7 @@ void applyThesisPreset(Options& options) {
   synthesis.dirWeight = 0.0F;
   synthesis.prevWeight = 1.0F;
   synthesis.prevDeepening = 0.0F;
+  synthesis.prevDepthReachFrames = 0;
   synthesis.coherenceWeight = 0.0F;
   synthesis.temporalCoherence = TemporalCoherence::kForward;
   synthesis.lambda = 2.0F;

@@ -3,6 +3,7 @@
 
 #include "fluidymation/core/box.h"
 #include "fluidymation/core/parallel.h"
+#include "fluidymation/synthesis/depth_fit.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
 #include "fluidymation/synthesis/patchmatch.h"
@@ -31,18 +32,22 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   next.direction = here(after.guides.direction, after);
   next.ageGrows = after.guides.ageGrows;
   Image<float> owed = here(after.state.owed, after);
+  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
+  const auto fit = [&](const Image<Vec2>& flow, NearestNeighborField matches) {
+    fitDepths(exemplar_.level(0), levels.front(), flow, options_.prevDepthReachFrames, matches);
+    return matches;
+  };
   const NearestNeighborField fromAfter = timed(Stage::kShift, 0, [&] {
-    return shiftBack(exemplar_, frame.mask, next, matchesHere(after),
-                     options_.carriesMotion ? &owed : nullptr);
+    return fit(next.flow, shiftBack(exemplar_, frame.mask, next, matchesHere(after),
+                                    options_.carriesMotion ? &owed : nullptr));
   });
   if (!hasAnyMatch(fromAfter)) return;
   Image<float> owedBefore = here(before.state.owed, before);
   const NearestNeighborField fromBefore = timed(Stage::kShift, 0, [&] {
-    return shift(exemplar_, frame, matchesHere(before),
-                 options_.carriesMotion ? &owedBefore : nullptr);
+    return fit(frame.flow, shift(exemplar_, frame, matchesHere(before),
+                                 options_.carriesMotion ? &owedBefore : nullptr));
   });
 
-  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
   const NearestNeighborField own = matchesHere(current);
   NearestNeighborField nnf;
   for (int l = exemplar_.levelCount() - 1; l >= 0; --l) {

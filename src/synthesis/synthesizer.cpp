@@ -6,6 +6,7 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/local_thickness.h"
+#include "fluidymation/synthesis/depth_fit.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
 #include "fluidymation/synthesis/patchmatch.h"
@@ -161,11 +162,14 @@ NearestNeighborField Synthesizer::nnf() const {
 Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
   followFilm();
   const int coarsest = exemplar_.levelCount() - 1;
+  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
   const NearestNeighborField shifted = timed(Stage::kShift, 0, [&] {
-    return shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
+    NearestNeighborField field =
+        shift(exemplar_, frame, nnf_, options_.carriesMotion ? &owed_ : nullptr);
+    fitDepths(exemplar_.level(0), levels.front(), frame.flow, options_.prevDepthReachFrames, field);
+    return field;
   });
   const bool fresh = !hasAnyMatch(shifted);
-  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
 
   NearestNeighborField nnf;
   for (int l = coarsest; l >= 0; --l) {

@@ -61,6 +61,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--flow-weight", "0.01", [](C c) { return c.options.synthesis.flowWeight == 0.01F; }},
       {"--prev-weight", "0", [](C c) { return c.options.synthesis.prevWeight == 0.0F; }},
       {"--prev-deepening", "0.5", [](C c) { return c.options.synthesis.prevDeepening == 0.5F; }},
+      {"--prev-depth-reach", "3",
+       [](C c) { return c.options.synthesis.prevDepthReachFrames == 3; }},
       {"--temporal-coherence", "bidirectional",
        [](C c) {
          return c.options.synthesis.temporalCoherence == TemporalCoherence::kBidirectional;

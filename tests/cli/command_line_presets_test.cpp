@@ -55,6 +55,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
   EXPECT_EQ(all.synthesis.coherenceWeight, 0.0F);
   EXPECT_EQ(all.synthesis.prevDeepening, 0.0F);
+  EXPECT_EQ(all.synthesis.prevDepthReachFrames, 0);
   EXPECT_EQ(all.synthesis.searchEffort, SearchEffort::kEverywhere);
   EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
   EXPECT_EQ(all.synthesis.prevModulation.lower, 2.0F);
@@ -92,6 +93,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.prevWeight, 4.0F);
   EXPECT_EQ(s.coherenceWeight, 0.0F);
   EXPECT_EQ(s.prevDeepening, 0.0F);
+  EXPECT_EQ(s.prevDepthReachFrames, 0);
   EXPECT_EQ(s.lambda, 1.0F);
   EXPECT_EQ(s.prevModulation.upper, 0.1F);
   EXPECT_EQ(s.prevModulation.lower, 0.01F);

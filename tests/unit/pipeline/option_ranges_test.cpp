@@ -95,6 +95,7 @@ const std::vector<Fault>& faults() {
       {"--flow-weight inf: ", [](Options& o) { o.synthesis.flowWeight = kInfinity; }},
       {"--prev-weight -1: ", [](Options& o) { o.synthesis.prevWeight = -1.0F; }},
       {"--prev-deepening 1001: ", [](Options& o) { o.synthesis.prevDeepening = 1001.0F; }},
+      {"--prev-depth-reach -1: ", [](Options& o) { o.synthesis.prevDepthReachFrames = -1; }},
       {"--coherence-weight -1: ", [](Options& o) { o.synthesis.coherenceWeight = -1.0F; }},
       {"--lambda nan: ", [](Options& o) { o.synthesis.lambda = kNan; }},
       {"--border-width 0.05: wanted a number in [0.1, 10000]",

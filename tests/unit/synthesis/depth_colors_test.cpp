@@ -196,9 +196,11 @@ TEST_F(DepthColorsTest, ThePreviousPictureFollowsTheDepthAsFarAsTheTargetMoves) 
 
 /// By how much what lies inside is lighter than in the film, in the last frame of a disc that
 /// travels by twice its own width.
-double palerThanTheFilm(const Exemplar& film, double filmsInterior, float deepening) {
+double palerThanTheFilm(const Exemplar& film, double filmsInterior, float deepening,
+                        int depthReachFrames = 0) {
   SynthesisOptions options;  // the standard look
   options.prevDeepening = deepening;
+  options.prevDepthReachFrames = depthReachFrames;
   Synthesizer synthesizer(film, options);
   double sum = 0.0;
   int count = 0;
@@ -226,6 +228,9 @@ TEST_F(DepthColorsTest, AShapeThatTravelsKeepsItsBodyColour) {
   const double deepened = palerThanTheFilm(film, kFilmsInterior, SynthesisOptions{}.prevDeepening);
   EXPECT_GT(kept, 8.0) << "the film is too plain to tell";
   EXPECT_LT(std::abs(deepened), 0.5 * kept);
+  const double fitted =
+      palerThanTheFilm(film, kFilmsInterior, 0.0F, SynthesisOptions{}.prevDepthReachFrames);
+  EXPECT_LT(std::abs(fitted), 0.5 * kept) << "by the film's own frames";
 }
 
 }  // namespace
