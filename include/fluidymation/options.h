@@ -145,7 +145,7 @@ struct SynthesisOptions {
   float prevDeepening = 1.0F;
   /// Frames of the exemplar by which a match of the previous frame may be moved on, forwards or
   /// backwards, to lie as deep inside the mask as its pixel, see `fitDepths`; 0: none, as in the
-  /// thesis.
+  /// thesis. Of no account where ages are compared.
   int prevDepthReachFrames = 20;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).

@@ -50,7 +50,7 @@ int fittingFrame(const ExemplarLevel& exemplar, float depthPx, int reachFrames,
 void fitDepths(const ExemplarLevel& finest, const TargetLevel& target, const Image<Vec2>& flow,
                int reachFrames, NearestNeighborField& shifted) {
   assert(shifted.size() == target.size() && shifted.size() == flow.size());
-  if (reachFrames == 0) return;
+  if (reachFrames == 0 || finest.comparesAges()) return;
   forEachRow(shifted.height(), [&](int y) {
     for (int x = 0; x < shifted.width(); ++x) {
       Match& match = shifted(x, y);

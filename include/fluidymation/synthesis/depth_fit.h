@@ -25,7 +25,8 @@ inline constexpr float kLeastDepthGainPx = 0.25F;
 /// one away from it, the later one first, as long as the place stays inside the mask; one that
 /// brings the depths closer by kLeastDepthGainPx is taken, until they agree or `reachFrames` are
 /// tried. Depths are compared as by the temporal modulation (`modulationDifference`). Where nothing
-/// moves nothing is changed: a hold stays still.
+/// moves nothing is changed: a hold stays still. Nor is it where ages are compared: there the frame
+/// is the age, and new lines would look old in patches.
 /// @param finest   the exemplar at full resolution.
 /// @param target   guides of the frame that the matches were shifted to, of their size.
 /// @param flow     what the target has moved in the step, px; of the same size.

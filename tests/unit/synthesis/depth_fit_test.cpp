@@ -98,6 +98,24 @@ TEST_F(DepthFit, GoesNoFurtherThanItsReach) {
 
 TEST_F(DepthFit, ChangesNothingAtRest) { EXPECT_EQ(fittedFrame(9, 3.0F, kFar, 0.0F), 9); }
 
+TEST_F(DepthFit, LeavesAgesAlone) {
+  Exemplar film(disc_.size, kFrames, 0, kBorderPx);
+  for (int k = 0; k < kFrames; ++k) {
+    GuideFrame guides = disc_.guides(k);
+    guides.age = Image<float>(disc_.size, static_cast<float>(k));
+    film.setColor(k, test::randomTexture(disc_.size, 3));
+    film.setGuides(k, guides);
+  }
+  film.finish();
+  ASSERT_TRUE(film.comparesAges());
+  GuideFrame guides = disc_.guides(0);
+  guides.age = Image<float>(disc_.size, 3.0F);
+  const TargetLevel target(finestLevel(guides), kBorderPx, film.extentScale());
+  NearestNeighborField field(disc_.size, besideCentre(9));
+  fitDepths(film.level(0), target, Image<Vec2>(disc_.size, {1.0F, 0.0F}), kFar, field);
+  for (const Match& match : field) ASSERT_EQ(match.frame, 9);
+}
+
 TEST_F(DepthFit, StaysWithinTheFilmsMask) {
   // 14 px from the centre: outside until the disc's radius of 8 px has grown by 6
   const Match outside{46.0F, 30.0F, 3, Rotation{}};
