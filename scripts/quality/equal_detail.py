@@ -1,19 +1,25 @@
 #!/usr/bin/python3
 """Judges two variants of `measure.py` at equal detail: blur flatters patch fidelity and flicker.
 
-    equal_detail.py --judge quality.py --pairs PAIRS.tsv --data DIR --out DIR BLURRED SHARP
+    equal_detail.py --judge quality.py --pairs PAIRS.tsv [--data DIR] --out DIR [--pair NAME ...] A B
 
-DIR is what measure.py has written, BLURRED and SHARP the names of two of its variants. The frames of
-SHARP are blurred until their detail is that of BLURRED: with a Gaussian inside, another at the rim, each of
-the width, px, at which that row comes out equal, passing over from one to the other round the border's width.
-Where SHARP has no more detail than BLURRED, it stays as it is. Then they are judged once more. Writes
-DIR/SHARP-as-BLURRED/ with what `measure.py` writes for a variant, and prints the rows that blur flatters
-as BLURRED, SHARP and SHARP blurred. Needs python3-numpy and python3-opencv.
+The folder of --out is what measure.py has written, with the same judge, and A and B are two of its variants, B
+the one with more detail. The frames of B are blurred until their detail is that of A: with a Gaussian inside,
+another at the rim, each of the width, px, at which that row comes out equal, passing over from one to the other
+round the judge's border. Where B has no more detail than A, it stays as it is. Then they are judged once more, as
+measure.py had them judged. Frames and figures are in the folder equal-detail/B-as-A of --out; the rows that blur
+flatters are printed as A, B and B blurred. A width with "?" is one at which the details are not equal.
+
+The judge's rows have to be detail_interior, detail_border, fidelity_interior, fidelity_border, flicker_static and
+flicker_moving, and its JSON has to tell the border's width, px, as details.border_px. Needs python3-numpy and
+python3-opencv.
 """
 
 import argparse
 import json
 import pathlib
+import shlex
+import shutil
 import sys
 
 import cv2
@@ -23,11 +29,12 @@ import measure
 
 DETAIL = ("detail_interior", "detail_border")  # rows of the judge, inside and at the rim
 FLATTERED = ("fidelity_interior", "fidelity_border", "flicker_static", "flicker_moving")
-STEPS = 5  # of the secant search for both widths; two or three do mostly
-CLOSE = 0.015  # of the detail: half of the row's noise
-LARGEST_PX = 2.5
-BORDER_PX = 8.0  # depth round which the two widths pass into one another: the judge's borders are 6 to 10 px wide
-PASSAGE_PX = 4.0
+ROUNDS = 6  # of the search for both widths, each a run of the judge; two or three do mostly
+CLOSE = 0.015  # of the detail: half of what means nothing (docs/quality.md)
+# px: less hardly shows in 8 bits, more is no longer the same picture; in one step, so that a bad guess is mended
+LEAST_PX, LARGEST_PX, LARGEST_STEP_PX = 0.3, 2.5, 0.6
+FIRST_PX_PER_DETAIL = 1.2  # the first guess: a width of so much for each unit of detail too many
+PASSAGE_PX = 4.0  # from the rim's width to the interior's
 
 
 def blurred(image, width):
@@ -40,13 +47,14 @@ def blurred(image, width):
     return both[..., :3] / np.maximum(both[..., 3:], 1e-6)
 
 
-def blur_frame(path, out, inside, rim):
-    """Writes a frame whose interior and rim are blurred by these widths."""
+def blur_frame(path, out, widths, border):
+    """Writes a frame whose interior and rim, up to `border` px deep, are blurred by these widths."""
+    inside, rim = widths
     image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     if image is None or image.ndim != 3 or image.shape[2] != 4 or image.dtype != np.uint8:
         sys.exit(f"equal_detail.py: {path}: wanted an RGBA picture of 8 bits")
     depth = cv2.distanceTransform((image[..., 3] > 127).astype(np.uint8), cv2.DIST_L2, 5)
-    share = np.clip((depth - BORDER_PX) / PASSAGE_PX + 0.5, 0.0, 1.0)[..., None]
+    share = np.clip((depth - border) / PASSAGE_PX + 0.5, 0.0, 1.0)[..., None]
     color = share * blurred(image, inside) + (1.0 - share) * blurred(image, rim)
     painted = np.where(image[..., 3:] > 0, np.clip(color + 0.5, 0, 255), image[..., :3])
     result = np.concatenate([painted.astype(np.uint8), image[..., 3:]], axis=2)
@@ -54,54 +62,87 @@ def blur_frame(path, out, inside, rim):
         sys.exit(f"equal_detail.py: {out / path.name}: cannot be written")
 
 
-def judged(arguments, pair, source, out, widths):
-    """The judge's rows of the frames in `source`, blurred by `widths` into `out`."""
-    out.mkdir(parents=True, exist_ok=True)
-    frames = sorted(source.glob("*.png"))
+def loaded(path):
+    """A JSON file that measure.py has left."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as fault:
+        sys.exit(f"equal_detail.py: {path}: {fault}; wanted what measure.py has written with this --out")
+
+
+def how_judged(folder):
+    """What measure.py notes of a variant's judging: the judge's digest, and the options that smooth its masks."""
+    try:
+        _, judge, _, smoothed, *_ = (folder / "command").read_text(encoding="utf-8").split("\n")
+    except (OSError, ValueError) as fault:
+        sys.exit(f"equal_detail.py: {folder / 'command'}: {fault}; wanted what measure.py has written")
+    return judge, shlex.split(smoothed)
+
+
+def value(figures, row, path):
+    """A row's value, which is None where the inputs do not show it."""
+    if row not in figures:
+        sys.exit(f"equal_detail.py: {path}: has no row {row}; wanted a judge that has it")
+    return figures[row][1]
+
+
+def judged(arguments, pair, smoothed, frames, border, out, widths):
+    """The judge's rows of these frames, blurred by `widths` into `out`."""
     for path in frames:
-        blur_frame(path, out, *widths)
-    masks = ["--mask-blur", pair["blur"], "--mask-threshold", measure.MASK_THRESHOLD]
+        blur_frame(path, out, widths, border)
     result = out / "judged.json"
-    command = measure.judge_command(arguments.judge, pair, masks, len(frames), out, result)
-    measure.run(command)
+    measure.run(
+        measure.judge_command(arguments.judge, pair, smoothed, len(frames), out, result)
+    )
     metrics = json.loads(result.read_text(encoding="utf-8"))["metrics"]
     return {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
 
 
-def next_width(width, detail, wanted, last):
-    """The width at which a line through the last two points, or the first and a guess, has the wanted detail."""
-    if last is None or abs(width - last[0]) < 1e-3 or abs(detail - last[1]) < 1e-3:
-        proposed = width + 1.2 * (detail - wanted)
+def next_width(width, excess, last):
+    """The width at which a line through the last two points, or the first and a guess, has no detail too many.
+
+    `last` has the width and the excess of the round before, or is None."""
+    if last is None or last[0] == width or last[1] == excess:
+        proposed = width + FIRST_PX_PER_DETAIL * excess
     else:
-        proposed = width + (wanted - detail) * (width - last[0]) / (detail - last[1])
-    return float(np.clip(proposed, 0.0, min(LARGEST_PX, width + 0.6)))
+        proposed = width - excess * (width - last[0]) / (excess - last[1])
+    proposed = min(proposed, width + LARGEST_STEP_PX, LARGEST_PX)
+    return max(proposed, LEAST_PX)
 
 
 def equalized(arguments, pair):
-    """Rows of BLURRED, of SHARP, and of SHARP blurred to the former's detail; and the widths."""
+    """Rows of A, of B and of B blurred; the widths, and whether each makes its row equal."""
     folders = [arguments.out / name / pair["name"] for name in (arguments.blurred, arguments.sharp)]
-    wanted, sharp = (json.loads((f / "figures.json").read_text(encoding="utf-8")) for f in folders)
-    out = arguments.out / f"{arguments.sharp}-as-{arguments.blurred}" / pair["name"]
-    goals = [wanted[row][1] for row in DETAIL]
-    found = [sharp[row][1] for row in DETAIL]
-    rows, widths, before = sharp, [0.0, 0.0], [None, None]
-    for step in range(STEPS):
-        open_ends = [
-            i for i in range(2) if found[i] is not None and goals[i] is not None
-            and abs(found[i] - goals[i]) > CLOSE and not (step == 0 and found[i] <= goals[i])
-        ]  # fmt: skip
-        if not open_ends and step > 0:
+    before, after = (loaded(folder / "figures.json") for folder in folders)
+    kept = [how_judged(folder) for folder in folders]
+    if kept[0] != kept[1] or kept[0][0] != measure.digest(arguments.judge):
+        sys.exit(f"equal_detail.py: {folders[1]}: judged otherwise; wanted both by --judge, with the same masks")
+    smoothed = kept[1][1]
+    border = loaded(folders[1] / "judged.json")["details"]["border_px"]
+    frames = sorted(folders[1].glob("*.png"))
+    if not frames:
+        sys.exit(f"equal_detail.py: {folders[1]}: holds no PNG file; wanted painted frames")
+    out = arguments.out / "equal-detail" / f"{arguments.sharp}-as-{arguments.blurred}" / pair["name"]
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+
+    def excess(figures, i):
+        values = [value(figures, DETAIL[i], folders[0]), value(before, DETAIL[i], folders[0])]
+        return 0.0 if None in values else values[0] - values[1]
+
+    rows, widths, last = after, [0.0, 0.0], [None, None]
+    for _ in range(ROUNDS):
+        # A row that has too little without any blur stays
+        wrong = [i for i in range(2) if abs(excess(rows, i)) > CLOSE and (widths[i] > 0 or excess(rows, i) > 0)]
+        if not wrong:
             break
-        for i in open_ends:
-            width = next_width(widths[i], found[i], goals[i], before[i])
-            if width < 0.3 and widths[i] == 0.0:
-                width = 0.3  # less is less than a pixel of 8 bits can show
-            before[i] = (widths[i], found[i])
+        for i in wrong:
+            width = next_width(widths[i], excess(rows, i), last[i])
+            last[i] = (widths[i], excess(rows, i))
             widths[i] = width
-        rows = judged(arguments, pair, folders[1], out, widths)
-        found = [rows[row][1] for row in DETAIL]
+        rows = judged(arguments, pair, smoothed, frames, border, out, widths)
     (out / "figures.json").write_text(json.dumps(rows), encoding="utf-8")
-    return wanted, sharp, rows, widths
+    return (before, after, rows), widths, [abs(excess(rows, i)) <= CLOSE for i in range(2)]
 
 
 def main():
@@ -112,8 +153,8 @@ def main():
     parser.add_argument("--data", default="")
     parser.add_argument("--out", required=True, type=pathlib.Path)
     parser.add_argument("--pair", action="append", help="only this pair; may be repeated")
-    parser.add_argument("blurred", metavar="BLURRED")
-    parser.add_argument("sharp", metavar="SHARP")
+    parser.add_argument("blurred", metavar="A")
+    parser.add_argument("sharp", metavar="B")
     arguments = parser.parse_args()
     print("| pair | blur inside, at the rim, px | " + " | ".join((*DETAIL, *FLATTERED)) + " |")
     print("|---" * (2 + len(DETAIL) + len(FLATTERED)) + "|")
@@ -124,14 +165,14 @@ def main():
         for key in ("exemplar", "target"):
             pair[key] = pair[key].replace("{data}", arguments.data)
         try:
-            *columns, widths = equalized(arguments, pair)
+            columns, widths, are_equal = equalized(arguments, pair)
         except RuntimeError as failure:
-            sys.exit(f"equal_detail.py: {failure}")
-        cells = []
+            sys.exit(f"equal_detail.py: failed: {failure}")
+        cells = [", ".join(f"{w:.2f}" + ("" if equal else "?") for w, equal in zip(widths, are_equal))]
         for row in (*DETAIL, *FLATTERED):
             values = [column.get(row, [row, None])[1] for column in columns]
             cells.append(" → ".join("n/a" if v is None else f"{v:.2f}" for v in values))
-        print(f"| {pair['name']} | {widths[0]:.2f}, {widths[1]:.2f} | " + " | ".join(cells) + " |", flush=True)
+        print(f"| {pair['name']} | " + " | ".join(cells) + " |", flush=True)
 
 
 if __name__ == "__main__":

@@ -130,8 +130,8 @@ void addGuides(Table& table) {
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
   table.real("--prev-deepening", kGuides,
-             "keeps the body colours of moving shapes; 0: they pale from\n"
-             "frame to frame; 2.5: they keep more, fronts less steady",
+             "keeps the body colours of moving shapes, with the option\n"
+             "below; 0: less; 2.5: more, fronts less steady",
              "", ranges::kDeepenings, "thesis §3.7: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevDeepening; });
   table.integer("--prev-depth-reach", kGuides,

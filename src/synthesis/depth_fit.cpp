@@ -1,10 +1,11 @@
 #include "fluidymation/synthesis/depth_fit.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "fluidymation/core/parallel.h"
-#include "fluidymation/synthesis/shape_rules.h"
 
 namespace fluidymation {
 namespace {
@@ -16,29 +17,38 @@ bool covers(const ExemplarLevel& exemplar, int x, int y, int frame) {
          frame < exemplar.frameCount() && exemplar.segment(x, y, frame) != Segment::kOutside;
 }
 
-/// The frame near `match` in which its place is about as deep as `depthPx`.
-int fittingFrame(const ExemplarLevel& exemplar, float depthPx, int reachFrames,
+/// How deep a place lies, up to the border's width: infinitely deep ones too.
+float depthPx(const ExemplarLevel& exemplar, int x, int y, int frame) {
+  return std::min(exemplar.modulationDistancePx(x, y, frame), exemplar.borderWidthPx());
+}
+
+/// The frame near `match` in which its place is about as deep as `wantedPx`.
+/// @param mostPx  by how much its depth may change.
+int fittingFrame(const ExemplarLevel& exemplar, float wantedPx, float mostPx, int reachFrames,
                  const Match& match) {
   const int x = match.nearestX();
   const int y = match.nearestY();
   if (!covers(exemplar, x, y, match.frame)) return match.frame;
-  const auto differencePx = [&](int frame) {
-    return modulationDifference(depthPx, exemplar.modulationDistancePx(x, y, frame),
-                                exemplar.borderWidthPx());
+  const float startPx = depthPx(exemplar, x, y, match.frame);
+  struct Walk {
+    int step;
+    bool isOpen;
   };
+  std::array<Walk, 2> walks{{{+1, true}, {-1, true}}};
   int best = match.frame;
-  float leastPx = differencePx(best);
-  std::array<bool, 2> isOpen{true, true};  // forwards and backwards in time
-  for (int r = 1; r <= reachFrames && (isOpen[0] || isOpen[1]); ++r) {
-    for (const int side : {0, 1}) {
+  float leastPx = std::abs(wantedPx - startPx);
+  for (int r = 1; r <= reachFrames && (walks[0].isOpen || walks[1].isOpen); ++r) {
+    for (Walk& walk : walks) {
       if (leastPx <= kFittingDepthPx) return best;
-      bool& open = isOpen[static_cast<std::size_t>(side)];
-      const int frame = match.frame + (side == 0 ? r : -r);
-      open = open && covers(exemplar, x, y, frame);
-      if (!open) continue;
-      const float foundPx = differencePx(frame);
-      if (foundPx > leastPx - kLeastDepthGainPx) continue;
-      leastPx = foundPx;
+      const int frame = match.frame + walk.step * r;
+      walk.isOpen = walk.isOpen && covers(exemplar, x, y, frame);
+      if (!walk.isOpen) continue;
+      const float foundPx = depthPx(exemplar, x, y, frame);
+      const float differencePx = std::abs(wantedPx - foundPx);
+      if (differencePx > leastPx - kLeastDepthGainPx || std::abs(foundPx - startPx) > mostPx) {
+        continue;
+      }
+      leastPx = differencePx;
       best = frame;
     }
   }
@@ -49,14 +59,17 @@ int fittingFrame(const ExemplarLevel& exemplar, float depthPx, int reachFrames,
 
 void fitDepths(const ExemplarLevel& finest, const TargetLevel& target, const Image<Vec2>& flow,
                int reachFrames, NearestNeighborField& shifted) {
+  assert(reachFrames >= 0);
   assert(shifted.size() == target.size() && shifted.size() == flow.size());
   if (reachFrames == 0 || finest.comparesAges()) return;
   forEachRow(shifted.height(), [&](int y) {
     for (int x = 0; x < shifted.width(); ++x) {
       Match& match = shifted(x, y);
-      const bool moves = flow(x, y).x != 0.0F || flow(x, y).y != 0.0F;
-      if (!moves || !match.exists() || !target.inside(x, y)) continue;
-      match.frame = fittingFrame(finest, target.modulationDistancePx(x, y), reachFrames, match);
+      const float movedPx = length(flow(x, y));
+      if (movedPx == 0.0F || !match.exists() || !target.inside(x, y)) continue;
+      const float wantedPx = std::min(target.modulationDistancePx(x, y), finest.borderWidthPx());
+      match.frame =
+          fittingFrame(finest, wantedPx, kMostDepthPerMovement * movedPx, reachFrames, match);
     }
   });
 }

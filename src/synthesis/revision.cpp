@@ -32,20 +32,22 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   next.direction = here(after.guides.direction, after);
   next.ageGrows = after.guides.ageGrows;
   Image<float> owed = here(after.state.owed, after);
-  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
-  const auto fit = [&](const Image<Vec2>& flow, NearestNeighborField matches) {
-    fitDepths(exemplar_.level(0), levels.front(), flow, options_.prevDepthReachFrames, matches);
-    return matches;
-  };
-  const NearestNeighborField fromAfter = timed(Stage::kShift, 0, [&] {
-    return fit(next.flow, shiftBack(exemplar_, frame.mask, next, matchesHere(after),
-                                    options_.carriesMotion ? &owed : nullptr));
+  NearestNeighborField fromAfter = timed(Stage::kShift, 0, [&] {
+    return shiftBack(exemplar_, frame.mask, next, matchesHere(after),
+                     options_.carriesMotion ? &owed : nullptr);
   });
   if (!hasAnyMatch(fromAfter)) return;
+  std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
   Image<float> owedBefore = here(before.state.owed, before);
   const NearestNeighborField fromBefore = timed(Stage::kShift, 0, [&] {
-    return fit(frame.flow, shift(exemplar_, frame, matchesHere(before),
-                                 options_.carriesMotion ? &owedBefore : nullptr));
+    NearestNeighborField field = shift(exemplar_, frame, matchesHere(before),
+                                       options_.carriesMotion ? &owedBefore : nullptr);
+    const auto fit = [&](const Image<Vec2>& flow, NearestNeighborField& matches) {
+      fitDepths(exemplar_.level(0), levels.front(), flow, options_.prevDepthReachFrames, matches);
+    };
+    fit(frame.flow, field);
+    fit(next.flow, fromAfter);
+    return field;
   });
 
   const NearestNeighborField own = matchesHere(current);

@@ -99,6 +99,21 @@ TEST_F(BidirectionalPainterTest, TheLastFrameOfAWindowStaysAndTheOthersChange) {
   }
 }
 
+TEST_F(BidirectionalPainterTest, WhatIsRememberedOfBothNeighborsFitsItsDepths) {
+  // The disc shrinks by more than its flow says
+  const std::vector<int> frames{0, 4, 8};
+  options_.prevDepthReachFrames = 0;
+  const auto revised = [&](int reach) {
+    std::vector<Painting> painted = paintForward(frames);
+    SynthesisOptions options = options_;
+    options.prevDepthReachFrames = reach;
+    Synthesizer(exemplar_, options).revise(painted[0], painted[2], painted[1]);
+    return std::move(painted[1]);
+  };
+  EXPECT_TRUE(looksAlike(revised(0), revised(0)));
+  EXPECT_FALSE(looksAlike(revised(0), revised(20)));
+}
+
 TEST_F(BidirectionalPainterTest, AHoldStaysOnePicture) {
   std::vector<int> frames = moving(20);
   for (std::size_t i = 0; i < frames.size(); ++i) {

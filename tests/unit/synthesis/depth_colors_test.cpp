@@ -231,6 +231,10 @@ TEST_F(DepthColorsTest, AShapeThatTravelsKeepsItsBodyColour) {
   const double fitted =
       palerThanTheFilm(film, kFilmsInterior, 0.0F, SynthesisOptions{}.prevDepthReachFrames);
   EXPECT_LT(std::abs(fitted), 0.5 * kept) << "by the film's own frames";
+  const SynthesisOptions standard;
+  const double both =
+      palerThanTheFilm(film, kFilmsInterior, standard.prevDeepening, standard.prevDepthReachFrames);
+  EXPECT_LT(std::abs(both), 0.5 * kept);
 }
 
 }  // namespace

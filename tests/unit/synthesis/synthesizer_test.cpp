@@ -54,11 +54,16 @@ TEST_F(SynthesizerTest, NoIterationsAtTheEndOfTheListLeaveTheFinestLevelUnswept)
 TEST_F(SynthesizerTest, PaintsAPartAsTheWholeFrame) {
   const Size size{190, 150};
   test::GrowingDisc small{size, {140.0F, 96.0F}, 11.0F, 1.5F, 4};
-  for (const int coarsest : {0, 3}) {
+  struct Case {
+    int coarsest;
+    SynthesisOptions options;
+  };
+  for (const auto& [coarsest, options] :
+       {Case{0, smallOptions()}, Case{3, smallOptions()}, Case{3, SynthesisOptions()}}) {
     SCOPED_TRACE(coarsest);
     const Exemplar exemplar = test::discExemplar(disc_, coarsest, kBorderWidthPx, 31);
-    Synthesizer ofWhole(exemplar, smallOptions());
-    Synthesizer ofParts(exemplar, smallOptions());
+    Synthesizer ofWhole(exemplar, options);
+    Synthesizer ofParts(exemplar, options);
     for (int j = 0; j < small.frameCount; ++j) {
       const GuideFrame whole = small.guides(j);
       const FramePart part{size, grown(boundingBox(whole.mask), ofParts.marginPx(), size)};
@@ -75,7 +80,7 @@ TEST_F(SynthesizerTest, PaintsAPartAsTheWholeFrame) {
       EXPECT_LT(ofParts.part().box.size().width, size.width);
       EXPECT_TRUE(sameBytes(picture, wholeFrame(ofParts.picture(), ofParts.part()))) << j;
       EXPECT_TRUE(sameBytes(ofWhole.nnf(), ofParts.nnf())) << j;
-      Synthesizer resumed(exemplar, smallOptions());
+      Synthesizer resumed(exemplar, options);
       resumed.restore(ofParts.state(), guides);
       EXPECT_TRUE(sameBytes(resumed.picture(), ofParts.picture())) << j;
     }
