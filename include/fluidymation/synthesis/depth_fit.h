@@ -12,8 +12,7 @@ namespace fluidymation {
 /// edge of a hard mask is known no better.
 inline constexpr float kFittingDepthPx = 0.5F;
 /// What a frame has to gain over the nearer ones, px: half of that, so that a match does not wander
-/// off in time for the mask's jitter. With 8 frames and 1 px instead, figures are much the same
-/// (docs/quality.md).
+/// off in time for the mask's jitter.
 inline constexpr float kLeastDepthGainPx = 0.25F;
 /// By how many times what the target moves in a frame the depth of a match may change with it: an
 /// edge that comes nearer by a pixel moves the shape's inside by a part of that only.
