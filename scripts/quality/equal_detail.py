@@ -94,8 +94,7 @@ def judged(arguments, pair, smoothed, frames, border, out, widths):
     measure.run(
         measure.judge_command(arguments.judge, pair, smoothed, len(frames), out, result)
     )
-    metrics = json.loads(result.read_text(encoding="utf-8"))["metrics"]
-    return {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
+    return measure.figures_of(result)
 
 
 def next_width(width, excess, last):

@@ -114,6 +114,12 @@ def run(command, environment=None):
     return usage.ru_utime + usage.ru_stime
 
 
+def figures_of(judged):
+    """What the judge says in a JSON file: {row: [title, value, score]}."""
+    metrics = json.loads(judged.read_text(encoding="utf-8"))["metrics"]
+    return {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
+
+
 def measure(arguments, pair, variant):
     """Figures of one variant on one pair: {row: value}, {row: title}."""
     folder = arguments.out / variant["name"] / pair["name"]
@@ -138,8 +144,7 @@ def measure(arguments, pair, variant):
     seconds = run(command, {**os.environ, "OMP_WAIT_POLICY": "passive"})
     judged = folder / "judged.json"
     run(judge_command(arguments.judge, pair, smoothed, arguments.frames, folder, judged))
-    metrics = json.loads(judged.read_text(encoding="utf-8"))["metrics"]
-    figures = {row: [m["title"].strip(), m["value"], m["score"]] for row, m in metrics.items()}
+    figures = figures_of(judged)
     painted = max(1, len(list(folder.glob("*.png"))))
     figures["seconds"] = [SECONDS, seconds / painted, None]
     (folder / "command").write_text(stamp, encoding="utf-8")

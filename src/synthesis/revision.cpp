@@ -39,15 +39,15 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
   if (!hasAnyMatch(fromAfter)) return;
   std::vector<TargetLevel> levels = timed(Stage::kLevels, 0, [&] { return levelsOf(frame); });
   Image<float> owedBefore = here(before.state.owed, before);
-  const NearestNeighborField fromBefore = timed(Stage::kShift, 0, [&] {
-    NearestNeighborField field = shift(exemplar_, frame, matchesHere(before),
-                                       options_.carriesMotion ? &owedBefore : nullptr);
-    const auto fit = [&](const Image<Vec2>& flow, NearestNeighborField& matches) {
-      fitDepths(exemplar_.level(0), levels.front(), flow, options_.prevDepthReachFrames, matches);
-    };
-    fit(frame.flow, field);
-    fit(next.flow, fromAfter);
-    return field;
+  NearestNeighborField fromBefore = timed(Stage::kShift, 0, [&] {
+    return shift(exemplar_, frame, matchesHere(before),
+                 options_.carriesMotion ? &owedBefore : nullptr);
+  });
+  timed(Stage::kShift, 0, [&] {
+    fitDepths(exemplar_.level(0), levels.front(), frame.flow, options_.prevDepthReachFrames,
+              fromBefore);
+    fitDepths(exemplar_.level(0), levels.front(), next.flow, options_.prevDepthReachFrames,
+              fromAfter);
   });
 
   const NearestNeighborField own = matchesHere(current);
