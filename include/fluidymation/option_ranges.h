@@ -41,7 +41,9 @@ inline constexpr Range kTimeSigmasFrames{0, 50};
 inline constexpr Range kThresholds{0, 0.5, true};
 inline constexpr Range kWeights{0, 1e6};
 inline constexpr Range kVoteSigmasPx{0, 100};
+inline constexpr Range kSeamWeights{0, 100};  ///< seams of 10 px on either side at 100
 inline constexpr Range kDeepenings{0, 1000};
+inline constexpr Range kOutlierSigmas{0, 1000};
 inline constexpr Range kOccurrenceRadii{0, 1e4};
 inline constexpr Range kDepthReaches{0, 1e4};
 /// The search box shrinks to a pixel in log(side) / -log(alpha) candidates, each a patch distance:

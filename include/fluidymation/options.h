@@ -84,8 +84,8 @@ enum class Interpolation {
   kLanczos,   ///< Lanczos' windowed sinc, 6 x 6 pixels: keeps fine detail best
 };
 
-/// How the windows that cover a pixel of the painted picture are averaged; §2.1.2. The votes within
-/// the optimization are plain bilinear means always, and so is this one in the thesis.
+/// How the windows that cover a pixel of the painted picture are averaged; §2.1.2. The thesis takes
+/// their plain bilinear mean.
 struct VoteOptions {
   /// Gaussian weight of a window by the distance of its centre along x and y, px; 0: all alike.
   float sigmaPx = 0.35F;
@@ -94,6 +94,11 @@ struct VoteOptions {
   /// painted one, px, as far as the border goes; 0: all alike, as in the thesis. A patch that fits
   /// else may reach past the rim of its own shape, and its bare pixels would show inside.
   float depthSigmaPx = 0.5F;
+  /// How much the steps from pixel to pixel that windows show count beside the colours, where the
+  /// windows of neighbouring pixels do not continue each other, see `seamChanges`; 0: not at all,
+  /// as in the thesis. Seams between pieces of the exemplar become slopes, and what lies within
+  /// the pieces keeps its detail.
+  float seamWeight = 0.3F;
 };
 
 /// In what units the motion extents of exemplar and target are compared; §3.5.
@@ -147,6 +152,11 @@ struct SynthesisOptions {
   /// backwards, to lie as deep inside the mask as its pixel, see `fitDepths`; 0: none, as in the
   /// thesis. Of no account where ages are compared.
   int prevDepthReachFrames = 20;
+  /// Where the target moves, a colour of the previous frame that is further than so many standard
+  /// deviations from the film's mean at its distance to the edge counts less, one deviation further
+  /// 0.6, two 0.14, see `setPrevious`; 0: all count, as in the thesis. Of no account where ages are
+  /// compared.
+  float prevOutlierSigmas = 2.0F;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).
   /// Coherence in the sense of Hertzmann et al., Image Analogies (2001); the thesis has none.
@@ -167,6 +177,10 @@ struct SynthesisOptions {
   /// What stays keeps its matches to the pixel, where enlarging draws them anew in blocks of 2x2 in
   /// every frame: the surface stays put, fronts move with the material (docs/quality.md).
   FinestLevel finestLevel = FinestLevel::kRefined;
+  /// Of the votes within the optimization: Gaussian weight of a window by the distance of its
+  /// centre, px; 0: all 25 alike, as in the thesis. A mean of 25 windows is smooth, and finds
+  /// smooth patches. Of no account where ages are compared: what is new would look older.
+  float optVoteSigmaPx = 0.5F;
   VoteOptions paintedVote;
   /// Iterations per level, coarsest first, the last value repeats. Defaults of §4.5 (the table of
   /// §4.4.3 has 4, 2, 1 for the optimization).

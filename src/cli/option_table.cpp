@@ -130,8 +130,8 @@ void addGuides(Table& table) {
              "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
   table.real("--prev-deepening", kGuides,
-             "keeps the body colours of moving shapes, with the option\n"
-             "below; 0: less; 2.5: more, fronts less steady",
+             "keeps the body colours of moving shapes, with the two\n"
+             "options below; 0: less; 2.5: more, fronts less steady",
              "", ranges::kDeepenings, "thesis §3.7: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevDeepening; });
   table.integer("--prev-depth-reach", kGuides,
@@ -139,6 +139,11 @@ void addGuides(Table& table) {
                 "as deep inside the mask as their pixels; 0: not at all",
                 "frames", ranges::kDepthReaches, "thesis §3.7: 0",
                 [](CommandLine& c) -> int& { return c.options.synthesis.prevDepthReachFrames; });
+  table.real("--prev-outlier-sigmas", kGuides,
+             "remembered colours further than so many standard deviations\n"
+             "from the film's at their depth count less; 0: all count",
+             "", ranges::kOutlierSigmas, "thesis §3.7: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.prevOutlierSigmas; });
   addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",
@@ -260,6 +265,11 @@ void addSynthesis(Table& table) {
              "painted pixels trust windows this close most; 0: all alike", "px",
              ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.sigmaPx; });
+  table.real("--opt-vote-sigma", kSynthesis,
+             "the same within the search and vote: narrow ones find more\n"
+             "detail, wide ones smoother patches; 0: all alike",
+             "px", ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.optVoteSigmaPx; });
   table.word<Interpolation>("--vote-interpolation", kSynthesis,
                             "how the film is read between its pixels, softest first",
                             {{"bilinear", Interpolation::kBilinear},
@@ -268,6 +278,11 @@ void addSynthesis(Table& table) {
                             "thesis §4.4.1: bilinear", [](CommandLine& c) -> Interpolation& {
                               return c.options.synthesis.paintedVote.interpolation;
                             });
+  table.real("--seam-blending", kSynthesis,
+             "how softly pieces of the film meet: as slopes of about the\n"
+             "root of this in px; 0: as seams, crisper",
+             "", ranges::kSeamWeights, "thesis: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.seamWeight; });
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),

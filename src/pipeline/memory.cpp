@@ -32,7 +32,7 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 // Of each frame of the exemplar that is held, its colours by depth (`DepthColors`): on so many
 // levels at most (5 * 2^14 px are more than is read) 64 distances, each with its mean and, of one
 // level at a time, its sums.
-constexpr double kDepthColorBytes = 64.0 * (14.0 * sizeof(Lab) + 4.0 * sizeof(std::int64_t));
+constexpr double kDepthColorBytes = 64.0 * (14.0 * sizeof(Lab) + 5.0 * sizeof(std::int64_t));
 
 // Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and
 // directions of this frame and the last one, and the solver that spreads flow or normals over the
@@ -47,6 +47,8 @@ constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
 constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
+// And while the picture is painted: the steps wanted across seams, and the changes they make.
+constexpr double kSeamBytes = 3.0 * 16.0;
 // Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
@@ -236,7 +238,7 @@ std::int64_t bytesOfRun(const RunSize& run) {
       pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar), guiding(film));
   const double reading =
       exemplar + (moves ? 0.0 : exemplarVolume * kPyramidFactor * kExtentBytes) + filmFrame;
-  const double searching = pixels(run.target) * (kPaintingBytes + ownBytes);
+  const double searching = pixels(run.target) * (kPaintingBytes + kSeamBytes + ownBytes);
   const double pixelBytes = run.bitDepth == BitDepth::k8 ? sizeof(Rgba8) : sizeof(Rgba16);
   const double writing = pixels(run.target) * (kWritingBytes + kFilesPerWriting * pixelBytes +
                                                (run.hasBackground ? 0.0 : kMarginBytes) +

@@ -92,8 +92,11 @@ void check(const SynthesisOptions& synthesis) {
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
   check("--prev-deepening", synthesis.prevDeepening, ranges::kDeepenings);
   check("--prev-depth-reach", synthesis.prevDepthReachFrames, ranges::kDepthReaches);
+  check("--prev-outlier-sigmas", synthesis.prevOutlierSigmas, ranges::kOutlierSigmas);
   check(synthesis.prevModulation);
+  check("--opt-vote-sigma", synthesis.optVoteSigmaPx, ranges::kVoteSigmasPx);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
+  check("--seam-blending", synthesis.paintedVote.seamWeight, ranges::kSeamWeights);
   check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);

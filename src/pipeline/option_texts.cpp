@@ -125,6 +125,7 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   texts.emplace_back("--prev-weight", numberText(synthesis.prevWeight));
   texts.emplace_back("--prev-deepening", numberText(synthesis.prevDeepening));
   texts.emplace_back("--prev-depth-reach", std::to_string(synthesis.prevDepthReachFrames));
+  texts.emplace_back("--prev-outlier-sigmas", numberText(synthesis.prevOutlierSigmas));
   texts.emplace_back("--shape-guide", word(synthesis.shape.guide));
   texts.emplace_back("--segments", synthesis.shape.hardSegments ? "hard" : "none");
   texts.emplace_back("--thin-parts", word(synthesis.thinParts));
@@ -145,8 +146,10 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   texts.emplace_back("--opt-iterations", listText(synthesis.optIterations));
   texts.emplace_back("--search", word(synthesis.searchEffort));
   texts.emplace_back("--finest-level", word(synthesis.finestLevel));
+  texts.emplace_back("--opt-vote-sigma", numberText(synthesis.optVoteSigmaPx));
   texts.emplace_back("--vote-sigma", numberText(synthesis.paintedVote.sigmaPx));
   texts.emplace_back("--vote-interpolation", word(synthesis.paintedVote.interpolation));
+  texts.emplace_back("--seam-blending", numberText(synthesis.paintedVote.seamWeight));
   texts.emplace_back("--seed", std::to_string(synthesis.seed));
 }
 

@@ -36,6 +36,7 @@ void applyThesisPreset(Options& options) {
   synthesis.prevWeight = 1.0F;
   synthesis.prevDeepening = 0.0F;
   synthesis.prevDepthReachFrames = 0;
+  synthesis.prevOutlierSigmas = 0.0F;
   synthesis.coherenceWeight = 0.0F;
   synthesis.temporalCoherence = TemporalCoherence::kForward;
   synthesis.lambda = 2.0F;
@@ -53,7 +54,8 @@ void applyThesisPreset(Options& options) {
   synthesis.carriesMotion = false;
   synthesis.extentUnit = ExtentUnit::kPixels;
   synthesis.finestLevel = FinestLevel::kUpscaled;
-  synthesis.paintedVote = {0.0F, Interpolation::kBilinear, 0.0F};
+  synthesis.optVoteSigmaPx = 0.0F;
+  synthesis.paintedVote = {0.0F, Interpolation::kBilinear, 0.0F, 0.0F};
 }
 
 void applyPaperPreset(Options& options) {
@@ -76,6 +78,7 @@ void applyCrispPreset(Options& options) {
   applyStandardPreset(options);
   // A window's own pixel alone: narrower changes nothing any more.
   options.synthesis.paintedVote.sigmaPx = 0.25F;
+  options.synthesis.paintedVote.seamWeight = 0.0F;
   options.synthesis.coherenceWeight = 32.0F;
 }
 

@@ -21,7 +21,7 @@ NearestNeighborField merge(const SearchProblem& problem, const DistanceWeights& 
       if (!areAlike(upscaled(x, y), downscaled(x, y))) bounds(x, y) = kNever;
     }
   });
-  target.picture = vote(problem.exemplar, target.segment, upscaled);
+  target.picture = vote(problem.exemplar, target.segment, upscaled, problem.options.optVoteSigmaPx);
   const Image<float> upscaledErrors = matchErrors(problem, weights, upscaled, &bounds);
 
   // Where no window of the previous frame reaches, its picture is continued by the other one.

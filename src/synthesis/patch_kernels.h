@@ -9,6 +9,7 @@
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/patch_distance.h"
 #include "fluidymation/synthesis/texel.h"
+#include "synthesis/sample_order.h"
 
 namespace fluidymation {
 
@@ -35,11 +36,18 @@ struct SourceWindow {
           match.x - static_cast<float>(left), match.y - static_cast<float>(top), match.rotation};
 }
 
+/// How much the samples of a window count, in the order of kSampleOffsets.
+struct SampleWeights {
+  alignas(32) std::array<std::int32_t, kPaddedSamples> ofSample{};
+  std::array<bool, kSampleBlocks> blockCounts{};  ///< whether any sample of a block counts
+};
+
 /// Where the colours of one window are added up: four sums (L, a, b in FixedLab's steps, weight)
 /// for each of its samples, in the order of kSampleOffsets.
 struct WindowSums {
   std::int32_t* centre = nullptr;           ///< of the window's own pixel
   const std::ptrdiff_t* offsets = nullptr;  ///< of kPatchArea samples from there
+  const SampleWeights* weights = nullptr;
 };
 
 /// What a target window is made of: images of one size, and weights of squared steps.
@@ -106,7 +114,7 @@ struct PatchKernels {
   std::array<float, 4> (*weightedGrid)(const Texel* first, std::ptrdiff_t stride, std::size_t taps,
                                        const float* columnWeights, const float* rowWeights);
 
-  /// Adds the source window's colours to `sums`.
+  /// Adds the source window's colours, each times its weight, to `sums`.
   void (*addColors)(const SourceWindow& source, const WindowSums& sums);
 };
 

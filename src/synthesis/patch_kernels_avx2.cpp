@@ -262,25 +262,30 @@ FLUIDYMATION_AVX2 void gather(const WindowSource& source, const WindowWeights& w
   window.constant = colorWeight * (static_cast<float>(share) * kShareStep) * sum;
 }
 
-FLUIDYMATION_AVX2 inline void add(std::int32_t* sum, __m128i color) {
+FLUIDYMATION_AVX2 inline void add(std::int32_t* sum, std::int32_t weight, __m128i color) {
   auto* const at = reinterpret_cast<__m128i*>(sum);
-  _mm_store_si128(at, _mm_add_epi32(_mm_load_si128(at), _mm_cvtepi16_epi32(color)));
+  const __m128i weighted = _mm_mullo_epi32(_mm_set1_epi32(weight), _mm_cvtepi16_epi32(color));
+  _mm_store_si128(at, _mm_add_epi32(_mm_load_si128(at), weighted));
 }
 
 FLUIDYMATION_AVX2 void addColors(const SourceWindow& source, const WindowSums& sums) {
   const Turn turn = turnOf(source);
+  const auto& weights = sums.weights->ofSample;
   Addresses addresses;
   std::size_t first = 0;
   for (; first + kSampleBlock <= kPatchArea; first += kSampleBlock) {
+    if (!sums.weights->blockCounts[first / kSampleBlock]) continue;
     locate(turn, first, addresses);
     for (std::size_t i = 0; i < kSampleBlock; i += 2) {
       const __m256i pair = samplePair(source, addresses, i);
-      add(sums.centre + sums.offsets[first + i], _mm256_castsi256_si128(pair));
-      add(sums.centre + sums.offsets[first + i + 1], _mm256_extracti128_si256(pair, 1));
+      add(sums.centre + sums.offsets[first + i], weights[first + i], _mm256_castsi256_si128(pair));
+      add(sums.centre + sums.offsets[first + i + 1], weights[first + i + 1],
+          _mm256_extracti128_si256(pair, 1));
     }
   }
   locate(turn, first, addresses);
-  add(sums.centre + sums.offsets[first], _mm256_castsi256_si128(samplePair(source, addresses, 0)));
+  add(sums.centre + sums.offsets[first], weights[first],
+      _mm256_castsi256_si128(samplePair(source, addresses, 0)));
 }
 
 FLUIDYMATION_AVX2 std::array<float, 4> weightedGrid(const Texel* first, std::ptrdiff_t stride,

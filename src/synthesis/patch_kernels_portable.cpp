@@ -150,9 +150,11 @@ void gather(const WindowSource& source, const WindowWeights& weights, TargetWind
 
 void addColors(const SourceWindow& source, const WindowSums& sums) {
   for (std::size_t i = 0; i < kPatchArea; ++i) {
+    const std::int32_t weight = sums.weights->ofSample[i];
+    if (weight == 0) continue;
     const Lanes color = sample(source, i);
     std::int32_t* sum = sums.centre + sums.offsets[i];
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += color[c];
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * color[c];
   }
 }
 

@@ -79,12 +79,10 @@ NearestNeighborField Synthesizer::revisedField(const Work& work, int level,
   const ExemplarLevel& exemplar = exemplar_.level(level);
   const SearchProblem problem = problemOf(work, level, target);
   const DistanceWeights weights = this->weights();
-  const float borderWidthPx = exemplar.borderWidthPx();
   const NearestNeighborField next = timed(Stage::kPrevious, level, [&] {
     NearestNeighborField field = downscale(after, level);
-    setBothNeighbors(exemplar, borderWidthPx,
-                     inPixels(options_.prevModulation, borderWidthPx, work.size),
-                     downscale(before, level), field, target, deepeningOf(level));
+    setBothNeighbors(exemplar, exemplar.borderWidthPx(), previousRules(level, work.size),
+                     downscale(before, level), field, target);
     return field;
   });
   NearestNeighborField nnf = timed(Stage::kMerge, level, [&] {
@@ -100,7 +98,9 @@ NearestNeighborField Synthesizer::revisedField(const Work& work, int level,
   // The field is nearly right already: more than one turn changes no figure beyond its noise.
   const LevelIterations count = iterations(level, work.frame);
   if (count.optimization == 0) return nnf;
-  target.picture = timed(Stage::kVote, level, [&] { return vote(exemplar, target.segment, nnf); });
+  target.picture = timed(Stage::kVote, level, [&] {
+    return vote(exemplar, target.segment, nnf, options_.optVoteSigmaPx);
+  });
   const SearchStatistics done = timed(Stage::kSearch, level, [&] {
     return findNearestNeighbors(problem, weights, count.patchmatch,
                                 kFirstPassOfRevision + count.firstPass, nnf, count.candidates);

@@ -87,6 +87,7 @@ Synthesizer::Synthesizer(const Exemplar& exemplar, SynthesisOptions options,
       options_(std::move(options)),
       observer_(observer),
       filmBegin_(exemplar.firstFrame()) {
+  if (exemplar_.comparesAges()) options_.optVoteSigmaPx = 0.0F;
   studyExemplar();
 }
 
@@ -136,21 +137,27 @@ void Synthesizer::followFilm() {
 
 void Synthesizer::studyExemplar() {
   expectedUse_.clear();
-  deepenings_.clear();
-  const bool deepens = options_.prevDeepening > 0.0F && !exemplar_.comparesAges();
+  filmColors_.clear();
+  const bool looksAtDepths = (options_.prevDeepening > 0.0F || options_.prevOutlierSigmas > 0.0F) &&
+                             !exemplar_.comparesAges();
   for (int l = finestOptimized(); l < exemplar_.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar_.level(l), options_.occRadiusFrames);
-    if (deepens) {
-      deepenings_.push_back({DepthColors(exemplar_.level(l)), options_.prevDeepening});
-    }
+    if (looksAtDepths) filmColors_.emplace_back(exemplar_.level(l));
   }
   memory_.clear();  // as large as what the count of uses takes
   memory_.resize(expectedUse_.size());
 }
 
-const Deepening* Synthesizer::deepeningOf(int level) const {
-  if (deepenings_.empty()) return nullptr;
-  return &deepenings_[static_cast<std::size_t>(level - finestOptimized())];
+PreviousRules Synthesizer::previousRules(int level, Size frame) const {
+  PreviousRules rules;
+  rules.bounds = inPixels(options_.prevModulation, exemplar_.level(level).borderWidthPx(), frame);
+  if (!filmColors_.empty()) {
+    rules.filmColors = &filmColors_[static_cast<std::size_t>(level - finestOptimized())];
+  }
+  rules.deepening = options_.prevDeepening;
+  rules.outlierSigmas = options_.prevOutlierSigmas;
+  rules.voteSigmaPx = options_.optVoteSigmaPx;
+  return rules;
 }
 
 NearestNeighborField Synthesizer::nnf() const {
@@ -310,9 +317,7 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
   } else {
     NearestNeighborField downscaled = timed(Stage::kPrevious, level, [&] {
       NearestNeighborField field = downscale(shifted, level);
-      const float borderWidthPx = exemplar.borderWidthPx();
-      setPrevious(exemplar, borderWidthPx, inPixels(options_.prevModulation, borderWidthPx, size_),
-                  field, target, deepeningOf(level));
+      setPrevious(exemplar, exemplar.borderWidthPx(), previousRules(level, size_), field, target);
       return field;
     });
     if (level == coarsest) {
@@ -327,8 +332,9 @@ NearestNeighborField Synthesizer::optimizedField(int level, const NearestNeighbo
 
   // Alternate vote and search; the picture and the field improve each other (§3.2).
   for (int i = 0; i < count.optimization; ++i) {
-    target.picture =
-        timed(Stage::kVote, level, [&] { return vote(exemplar, target.segment, nnf); });
+    target.picture = timed(Stage::kVote, level, [&] {
+      return vote(exemplar, target.segment, nnf, options_.optVoteSigmaPx);
+    });
     search(weights, nnf);
   }
   return nnf;

@@ -136,6 +136,8 @@ FixedLab changedBy(const FixedLab& color, float share, const Lab& change) {
       {lab.l + share * change.l, lab.a + share * change.a, lab.b + share * change.b});
 }
 
+float gaussian(float x) { return std::exp(-0.5F * x * x); }
+
 }  // namespace
 
 NearestNeighborField shift(const Exemplar& exemplar, const GuideFrame& target,
@@ -168,43 +170,46 @@ ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
   return {bounds.upper * unitPx, bounds.lower * unitPx};
 }
 
-void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
-                 const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
-                 TargetLevel& target, const Deepening* deepening) {
-  target.previous = vote(exemplar, target.segment, shifted);
+void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const PreviousRules& rules,
+                 const NearestNeighborField& shifted, TargetLevel& target) {
+  target.previous = vote(exemplar, target.segment, shifted, rules.voteSigmaPx);
   forEachRow(shifted.height(), [&](int y) {
     for (int x = 0; x < shifted.width(); ++x) {
       const Match& match = shifted(x, y);
-      target.modulation(x, y) = 0.0F;
+      float& modulation = target.modulation(x, y);
+      modulation = 0.0F;
       if (!match.exists() || !target.inside(x, y)) continue;
       const int sx = std::clamp(match.nearestX(), 0, exemplar.size().width - 1);
       const int sy = std::clamp(match.nearestY(), 0, exemplar.size().height - 1);
       const float differencePx =
           modulationDifference(target.modulationDistancePx(x, y),
                                exemplar.modulationDistancePx(sx, sy, match.frame), borderWidthPx);
-      target.modulation(x, y) = smoothstep(differencePx, bounds.upper, bounds.lower);
+      modulation = smoothstep(differencePx, rules.bounds.upper, rules.bounds.lower);
       FixedLab& previous = target.previous(x, y);
-      if (deepening == nullptr || !previous.exists()) continue;
-      const float share =
-          std::min(deepening->perBorderWidth * target.speed(x, y) / borderWidthPx, 1.0F);
+      const float speedPx = target.speed(x, y);
+      if (rules.filmColors == nullptr || speedPx == 0.0F || !previous.exists()) continue;
       const int depthThere = exemplar.texel(sx, sy, match.frame).guides.edge;
-      previous =
-          changedBy(previous, share,
-                    deepening->colors.change(match.frame, depthThere, target.guides(x, y).edge));
+      const int depthHere = target.guides(x, y).edge;
+      previous = changedBy(previous, std::min(rules.deepening * speedPx / borderWidthPx, 1.0F),
+                           rules.filmColors->change(match.frame, depthThere, depthHere));
+      if (rules.outlierSigmas > 0.0F) {
+        const float deviations =
+            rules.filmColors->deviations(match.frame, depthHere, previous.lab());
+        modulation *= gaussian(std::max(deviations - rules.outlierSigmas, 0.0F));
+      }
     }
   });
 }
 
 void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
-                      const ModulationBoundsPx& bounds, const NearestNeighborField& before,
-                      const NearestNeighborField& after, TargetLevel& target,
-                      const Deepening* deepening) {
+                      const PreviousRules& rules, const NearestNeighborField& before,
+                      const NearestNeighborField& after, TargetLevel& target) {
   // Where neither counts at the pixel itself, its neighbours' windows still read both alike.
   constexpr float kLeastWeight = 1.0F / 1024.0F;
-  setPrevious(exemplar, borderWidthPx, bounds, before, target, deepening);
+  setPrevious(exemplar, borderWidthPx, rules, before, target);
   const Image<FixedLab> picture = std::move(target.previous);
   const Image<float> modulation = target.modulation.clone();
-  setPrevious(exemplar, borderWidthPx, bounds, after, target, deepening);
+  setPrevious(exemplar, borderWidthPx, rules, after, target);
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
       if (!picture(x, y).exists()) continue;

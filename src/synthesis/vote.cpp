@@ -11,6 +11,7 @@
 #include "synthesis/patch_kernels.h"
 #include "synthesis/sample_order.h"
 #include "synthesis/sampling.h"
+#include "synthesis/seam_blend.h"
 
 namespace fluidymation {
 namespace {
@@ -30,12 +31,32 @@ Match inImage(const Match& match, Size size) {
           std::clamp(match.y, -kHalf, last(size.height)), match.frame, match.rotation};
 }
 
+/// The weights of a window's samples, in the order of kSampleOffsets: whole numbers, so that sums
+/// are exact. With sigma 0 all are 1.
+SampleWeights sampleWeights(float sigmaPx) {
+  constexpr float kWhole =
+      256.0F;  // of the window's own pixel; 25 such sums of colours fit 32 bits
+  SampleWeights weights{};
+  for (std::size_t i = 0; i < kPatchArea; ++i) {
+    const auto dx = static_cast<float>(sampleOffsetX(i));
+    const auto dy = static_cast<float>(sampleOffsetY(i));
+    weights.ofSample[i] =
+        sigmaPx > 0.0F
+            ? floorToInt(kWhole * std::exp(-0.5F * (dx * dx + dy * dy) / (sigmaPx * sigmaPx)) +
+                         0.5F)
+            : 1;
+    if (weights.ofSample[i] != 0) weights.blockCounts[i / kSampleBlock] = true;
+  }
+  return weights;
+}
+
 /// Sums of colours for the rows [top, bottom) of a picture, with room for what windows that cover
 /// them add beyond.
 class BandSums {
  public:
-  BandSums(int width, int top, int bottom)
-      : top_(top),
+  BandSums(int width, int top, int bottom, const SampleWeights& weights)
+      : weights_(weights),
+        top_(top),
         bottom_(bottom),
         stride_(static_cast<std::size_t>(width) + 2 * std::size_t{kPatchRadius}),
         sums_(stride_ * (static_cast<std::size_t>(bottom - top) + 2 * std::size_t{kMargin})) {
@@ -54,7 +75,7 @@ class BandSums {
         if (!nnf(x, y).exists()) continue;
         const Match match = inImage(nnf(x, y), exemplar.size());
         exemplar.kernels().addColors(sourceWindow(exemplar, match),
-                                     {at(x, y).data(), offsets_.data()});
+                                     {at(x, y).data(), offsets_.data(), &weights_});
       }
     }
   }
@@ -84,6 +105,7 @@ class BandSums {
                  static_cast<std::size_t>(x + kPatchRadius)];
   }
 
+  const SampleWeights& weights_;
   int top_;
   int bottom_;
   std::size_t stride_;
@@ -203,6 +225,65 @@ class DepthTrust {
   float scale_ = 0.0F;  ///< per square of a step of the edge guide
 };
 
+/// How much two pixels' step would have to change to be that of one of their windows. Of the two
+/// that both pixels have a window of their own, the larger step counts: the mean of two that do not
+/// agree has half their energy. Within a piece of the exemplar there is nothing to change.
+/// @param picture  of the pixels themselves, the windows' mean.
+template <typename Reader, typename Trust>
+Float4 wantedStep(const NearestNeighborField& nnf, Pixel from, Pixel to, const Reader& read,
+                  const Trust& trust, const Image<Lab>& picture) {
+  const Match& own = nnf(from.x, from.y);
+  const Match& other = nnf(to.x, to.y);
+  if (!own.exists() || !other.exists()) return Float4{};
+  const Vec2 step{static_cast<float>(to.x - from.x), static_cast<float>(to.y - from.y)};
+  const Match ownThere = own.moved(step);
+  if (areAlike(ownThere, other)) return Float4{0.0F, 0.0F, 0.0F, 1.0F};
+  const Match otherHere = other.moved({-step.x, -step.y});
+  const auto colorOf = [&](const Match& match) { return read(match.frame, match.x, match.y); };
+  const auto squared = [](const Float4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
+  const Float4 inOwn = colorOf(ownThere) - colorOf(own);
+  const Float4 inOther = colorOf(other) - colorOf(otherHere);
+  const float trustInOwn = trust(from.x, from.y, own) * trust(to.x, to.y, ownThere);
+  const float trustInOther = trust(from.x, from.y, otherHere) * trust(to.x, to.y, other);
+  const bool ownIsLarger = trustInOwn * squared(inOwn) >= trustInOther * squared(inOther);
+  const Lab& here = picture(from.x, from.y);
+  const Lab& there = picture(to.x, to.y);
+  Float4 wanted = ownIsLarger ? inOwn : inOther;
+  wanted -= Float4{there.l - here.l, there.a - here.a, there.b - here.b, 0.0F};
+  wanted[3] = ownIsLarger ? trustInOwn : trustInOther;
+  return wanted;
+}
+
+/// Changes the picture where the windows of neighbouring pixels do not continue each other, see
+/// VoteOptions::seamWeight.
+template <typename Reader, typename Trust>
+void blendSeams(const NearestNeighborField& nnf, const Mask& wanted, const Reader& read,
+                const Trust& trust, float seamWeight, Image<Lab>& picture) {
+  const Size size = nnf.size();
+  WantedSteps steps(size);
+  forEachRow(size.height, [&](int y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (wanted(x, y) == 0) continue;
+      const auto stepTo = [&](int nx, int ny) {
+        return nnf.contains(nx, ny) && wanted(nx, ny) != 0
+                   ? wantedStep(nnf, {x, y}, {nx, ny}, read, trust, picture)
+                   : Float4{};
+      };
+      steps.right(x, y) = stepTo(x + 1, y);
+      steps.down(x, y) = stepTo(x, y + 1);
+    }
+  });
+  const Image<Float4> changes = seamChanges(steps, seamWeight);
+  forEachRow(size.height, [&](int y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (wanted(x, y) == 0) continue;
+      Lab& color = picture(x, y);
+      const Float4& change = changes(x, y);
+      color = {color.l + change[0], color.a + change[1], color.b + change[2]};
+    }
+  });
+}
+
 /// All windows with a Gaussian weight worth counting; with sigma 0 all alike.
 std::vector<Voter> votersOf(float sigmaPx) {
   constexpr float kNoWeight = 1e-3F;  // too little to be seen beside the pixel's own window
@@ -223,11 +304,13 @@ std::vector<Voter> votersOf(float sigmaPx) {
 }  // namespace
 
 Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
-                     const NearestNeighborField& nnf) {
+                     const NearestNeighborField& nnf, float sigmaPx) {
   Image<FixedLab> picture(nnf.size());
+  const SampleWeights weights = sampleWeights(sigmaPx);
   const int bands = (nnf.height() + kBandRows - 1) / kBandRows;
   parallelFor(bands, 1, [&](int band) {
-    BandSums sums(nnf.width(), band * kBandRows, std::min((band + 1) * kBandRows, nnf.height()));
+    BandSums sums(nnf.width(), band * kBandRows, std::min((band + 1) * kBandRows, nnf.height()),
+                  weights);
     sums.add(exemplar, nnf);
     sums.average(segment, picture);
   });
@@ -240,9 +323,12 @@ Image<Lab> paintedVote(const ExemplarLevel& exemplar, const Mask& wanted,
   const std::vector<Voter> voters = votersOf(options.sigmaPx);
   const DepthTrust trust(exemplar, guides, options.depthSigmaPx);
   const auto averaged = [&](const auto& read) {
-    return average(
-        nnf, wanted, [&](int frame, float x, float y) { return read(exemplar, frame, x, y); },
-        voters, trust);
+    const auto reader = [&](int frame, float x, float y) { return read(exemplar, frame, x, y); };
+    Image<Lab> picture = average(nnf, wanted, reader, voters, trust);
+    if (options.seamWeight > 0.0F) {
+      blendSeams(nnf, wanted, reader, trust, options.seamWeight, picture);
+    }
+    return picture;
   };
   switch (options.interpolation) {
     case Interpolation::kBilinear:

@@ -63,6 +63,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--prev-deepening", "0.5", [](C c) { return c.options.synthesis.prevDeepening == 0.5F; }},
       {"--prev-depth-reach", "3",
        [](C c) { return c.options.synthesis.prevDepthReachFrames == 3; }},
+      {"--prev-outlier-sigmas", "1.5",
+       [](C c) { return c.options.synthesis.prevOutlierSigmas == 1.5F; }},
       {"--temporal-coherence", "bidirectional",
        [](C c) {
          return c.options.synthesis.temporalCoherence == TemporalCoherence::kBidirectional;
@@ -103,6 +105,9 @@ const std::vector<Reaching>& reachingOptions() {
       {"--carry-motion", "off", [](C c) { return !c.options.synthesis.carriesMotion; }},
       {"--finest-level", "searched",
        [](C c) { return c.options.synthesis.finestLevel == FinestLevel::kSearched; }},
+      {"--opt-vote-sigma", "0.7", [](C c) { return c.options.synthesis.optVoteSigmaPx == 0.7F; }},
+      {"--seam-blending", "2",
+       [](C c) { return c.options.synthesis.paintedVote.seamWeight == 2.0F; }},
       {"--vote-sigma", "1.5", [](C c) { return c.options.synthesis.paintedVote.sigmaPx == 1.5F; }},
       {"--vote-interpolation", "bilinear",
        [](C c) {

@@ -56,6 +56,8 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.coherenceWeight, 0.0F);
   EXPECT_EQ(all.synthesis.prevDeepening, 0.0F);
   EXPECT_EQ(all.synthesis.prevDepthReachFrames, 0);
+  EXPECT_EQ(all.synthesis.prevOutlierSigmas, 0.0F);
+  EXPECT_EQ(all.synthesis.optVoteSigmaPx, 0.0F);
   EXPECT_EQ(all.synthesis.searchEffort, SearchEffort::kEverywhere);
   EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
   EXPECT_EQ(all.synthesis.prevModulation.lower, 2.0F);
@@ -63,9 +65,11 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   const VoteOptions& thesis = all.synthesis.paintedVote;
   EXPECT_EQ(thesis.sigmaPx, 0.0F);
   EXPECT_EQ(thesis.depthSigmaPx, 0.0F);
+  EXPECT_EQ(thesis.seamWeight, 0.0F);
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
   EXPECT_NE(standard.sigmaPx, 0.0F);
+  EXPECT_NE(standard.seamWeight, 0.0F);
   EXPECT_EQ(standard.interpolation, Interpolation::kLanczos);
   EXPECT_EQ(parse(kRequired).options.synthesis.searchEffort, SearchEffort::kWhereItChanges);
   const SynthesisOptions focused =
@@ -94,6 +98,9 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.coherenceWeight, 0.0F);
   EXPECT_EQ(s.prevDeepening, 0.0F);
   EXPECT_EQ(s.prevDepthReachFrames, 0);
+  EXPECT_EQ(s.prevOutlierSigmas, 0.0F);
+  EXPECT_EQ(s.optVoteSigmaPx, 0.0F);
+  EXPECT_EQ(s.paintedVote.seamWeight, 0.0F);
   EXPECT_EQ(s.lambda, 1.0F);
   EXPECT_EQ(s.prevModulation.upper, 0.1F);
   EXPECT_EQ(s.prevModulation.lower, 0.01F);
@@ -121,7 +128,9 @@ TEST(CommandLine, LooksChangeTheStandardOneAndNothingElse) {
   Options crisp = parse(complete({"--preset", "crisp"})).options;
   EXPECT_LT(crisp.synthesis.paintedVote.sigmaPx, standard.synthesis.paintedVote.sigmaPx);
   EXPECT_GT(crisp.synthesis.coherenceWeight, standard.synthesis.coherenceWeight);
+  EXPECT_LT(crisp.synthesis.paintedVote.seamWeight, standard.synthesis.paintedVote.seamWeight);
   crisp.synthesis.paintedVote.sigmaPx = standard.synthesis.paintedVote.sigmaPx;
+  crisp.synthesis.paintedVote.seamWeight = standard.synthesis.paintedVote.seamWeight;
   crisp.synthesis.coherenceWeight = standard.synthesis.coherenceWeight;
   EXPECT_EQ(shapingOptions(crisp), shapingOptions(standard));
   Options calm = parse(complete({"--preset", "calm", "--vote-sigma", "0.35"})).options;

@@ -16,6 +16,7 @@
 #include "fluidymation/synthesis/stages.h"
 #include "fluidymation/synthesis/synthesis_state.h"
 #include "fluidymation/synthesis/target_level.h"
+#include "fluidymation/synthesis/temporal.h"
 
 namespace fluidymation {
 
@@ -148,8 +149,9 @@ class Synthesizer {
   [[nodiscard]] SearchProblem problemOf(const Work& work, int level, const TargetLevel& target);
 
   [[nodiscard]] DistanceWeights weights() const;
-  /// Of a level from `finestOptimized` on; null where the previous frame's colours are kept.
-  [[nodiscard]] const Deepening* deepeningOf(int level) const;
+  /// Of a level from `finestOptimized` on.
+  /// @param frame  full-resolution size of the target's frames.
+  [[nodiscard]] PreviousRules previousRules(int level, Size frame) const;
   /// Makes what depends on the exemplar's frames.
   void studyExemplar();
 
@@ -161,7 +163,7 @@ class Synthesizer {
   SynthesisOptions options_;
   StageObserver* observer_;
   std::vector<ExpectedUse> expectedUse_;  ///< from `finestOptimized` on
-  std::vector<Deepening> deepenings_;     ///< likewise; empty where they are not wanted
+  std::vector<DepthColors> filmColors_;   ///< likewise; empty where they are not wanted
   std::vector<SearchMemory> memory_;      ///< likewise; scratch
 
   // Of the frame painted last, as far as it lies in `box_`, a box round its mask: all other pixels

@@ -59,29 +59,38 @@ struct ModulationBoundsPx {
 [[nodiscard]] ModulationBoundsPx inPixels(const ModulationBounds& bounds, float borderWidthPx,
                                           Size target);
 
+/// What is remembered of the frame before, and how much it counts.
+struct PreviousRules {
+  ModulationBoundsPx bounds;
+  const DepthColors* filmColors = nullptr;  ///< of the exemplar's level; null: the next two are off
+  float deepening = 0.0F;                   ///< see SynthesisOptions::prevDeepening
+  float outlierSigmas = 0.0F;               ///< see SynthesisOptions::prevOutlierSigmas
+  float voteSigmaPx = 0.0F;                 ///< see `vote`
+};
+
 /// Fills previous and modulation of `target` from the shifted matches at its level:
 /// T^prev is their vote, m(q) = smoothstep(|T^dist - S^dist|, m_u, m_l) with both distances clamped
 /// at the border width unless the level's ShapeRules say otherwise (unclamped, coherence is lost
 /// deep inside every target that is thicker than the exemplar), 0 without match (§3.7).
-/// @param deepening  of the exemplar's level, if given: T^prev is changed as the exemplar's colours
-///   do from the depth of the pixel's match to the pixel's own, in the proportion of what the
-///   target moves there in this frame to the border width, times `Deepening::perBorderWidth`, at
-///   most by the whole difference. Material that was painted as a rim and now lies inside would
-///   otherwise stay as pale as rims are, and paintings of moving shapes lose their body colours
-///   frame by frame (docs/quality.md). Pixels without a match of their own keep what their
-///   neighbours' windows say.
-void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx,
-                 const ModulationBoundsPx& bounds, const NearestNeighborField& shifted,
-                 TargetLevel& target, const Deepening* deepening = nullptr);
+///
+/// Material that was painted as a rim and now lies inside would stay as pale as rims are, and
+/// paintings of moving shapes lose their body colours frame by frame (docs/quality.md). Two rules
+/// that the thesis does not have act against it, where the target moves and at pixels with a match
+/// of their own. T^prev is changed as the exemplar's colours do from the depth of the pixel's match
+/// to the pixel's own, in the proportion of what the target moves there in this frame to the border
+/// width, times `deepening`, at most by the whole difference. And a colour that the exemplar
+/// hardly has at that depth, z > outlierSigmas standard deviations from its mean, counts by
+/// exp(-(z - outlierSigmas)^2 / 2).
+void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const PreviousRules& rules,
+                 const NearestNeighborField& shifted, TargetLevel& target);
 
 /// The same for a frame between two that are painted, by the matches of either shifted to it. Two
 /// temporal terms, m_b |S - T^before|^2 + m_a |S - T^after|^2, are one for the mean of both
 /// pictures weighted by their modulations, but for a constant; it gets the larger of the two
 /// modulations, so that a frame between two weighs no more than one after another. What the frame
-/// itself moves counts for the deepening of both.
+/// itself moves counts for the rules of both.
 void setBothNeighbors(const ExemplarLevel& exemplar, float borderWidthPx,
-                      const ModulationBoundsPx& bounds, const NearestNeighborField& before,
-                      const NearestNeighborField& after, TargetLevel& target,
-                      const Deepening* deepening = nullptr);
+                      const PreviousRules& rules, const NearestNeighborField& before,
+                      const NearestNeighborField& after, TargetLevel& target);
 
 }  // namespace fluidymation

@@ -13,9 +13,11 @@ namespace fluidymation {
 /// match do not vote. Colours are averaged in CIELAB, the space in which they are compared, in
 /// fixed point: sums are exact, and do not depend on their order.
 /// @param segment  the picture is wanted where it is not Segment::kOutside; size of `nnf`.
-/// @return  no colour where it is not wanted or no window covers it.
+/// @param sigmaPx  Gaussian weight of a window by the distance of its centre, px, in steps of 1/256
+///   of a window centred on the pixel; 0: all 25 alike, as in the thesis.
+/// @return  no colour where it is not wanted or no window that counts covers it.
 [[nodiscard]] Image<FixedLab> vote(const ExemplarLevel& exemplar, const Image<Segment>& segment,
-                                   const NearestNeighborField& nnf);
+                                   const NearestNeighborField& nnf, float sigmaPx);
 
 /// The vote that is painted. Twenty-five turned and interpolated windows blur whatever they do not
 /// agree on; weighting a window by the distance of its centre and reading between pixels with a

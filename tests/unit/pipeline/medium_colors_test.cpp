@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fluidymation/core/error.h"
@@ -67,6 +68,9 @@ TEST(Recolor, ChangesColoursOnlyAndNoLightness) {
       const Rgba g = green.data()[i];
       ASSERT_EQ(g.a, p.a);
       if (p.a == 0.0F) continue;
+      // What lay outside sRGB was clipped channel by channel, at another lightness
+      const auto [least, most] = std::minmax({p.r, p.g, p.b});
+      if (least == 0.0F || most == 1.0F) continue;
       const Lab had = toLab(Rgb{p.r, p.g, p.b});
       const Lab has = toLab(Rgb{g.r, g.g, g.b});
       ASSERT_NEAR(has.l, had.l, kByteSteps);

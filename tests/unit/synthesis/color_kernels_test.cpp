@@ -26,14 +26,21 @@ struct alignas(16) Sum {
 /// Sums of a 5 x 5 picture, whose middle one is the window's own pixel.
 class Sums {
  public:
-  Sums() {
+  /// All samples count alike.
+  Sums() : Sums([](std::size_t /*i*/) { return 1; }) {}
+
+  /// @param weightOf  of sample i.
+  template <typename WeightOf>
+  explicit Sums(const WeightOf& weightOf) {
     for (std::size_t i = 0; i < kPatchArea; ++i) {
       offsets_[i] = static_cast<std::ptrdiff_t>(kColorLanes) *
                     (sampleOffsetY(i) * kPatchSize + sampleOffsetX(i));
+      weights_.ofSample[i] = weightOf(i);
+      if (weights_.ofSample[i] != 0) weights_.blockCounts[i / kSampleBlock] = true;
     }
   }
   [[nodiscard]] WindowSums window() {
-    return {sums_[kPatchArea / 2].lanes.data(), offsets_.data()};
+    return {sums_[kPatchArea / 2].lanes.data(), offsets_.data(), &weights_};
   }
   [[nodiscard]] const Sum& ofSample(std::size_t i) const {
     constexpr int kCentre = kPatchArea / 2;
@@ -47,6 +54,7 @@ class Sums {
  private:
   std::array<Sum, kPatchArea> sums_;
   std::array<std::ptrdiff_t, kPatchArea> offsets_{};
+  SampleWeights weights_;
 };
 
 TEST_F(Avx2Kernels, AddTheSameColours) {
@@ -58,6 +66,26 @@ TEST_F(Avx2Kernels, AddTheSameColours) {
     portableKernels().addColors(source, expected.window());
     avx2Kernels()->addColors(source, sums.window());
     ASSERT_TRUE(sums == expected) << n;
+  }
+}
+
+TEST_P(EveryPatchKernels, AddColoursTimesTheirWeights) {
+  Random random({70, 0, 0, 0, 0, 0});
+  // Of the first block none counts, of the others some
+  const auto weightOf = [](std::size_t i) {
+    return i < kSampleBlock ? 0 : static_cast<std::int32_t>(i % 4 * 85);
+  };
+  for (int n = 0; n < kWindows; ++n) {
+    const SourceWindow source = sourceWindow(exemplar_, randomMatch(random));
+    Sums once;
+    Sums weighted(weightOf);
+    kernels().addColors(source, once.window());
+    kernels().addColors(source, weighted.window());
+    for (std::size_t i = 0; i < kPatchArea; ++i) {
+      for (std::size_t lane = 0; lane < kColorLanes; ++lane) {
+        ASSERT_EQ(weighted.ofSample(i).lanes[lane], weightOf(i) * once.ofSample(i).lanes[lane]);
+      }
+    }
   }
 }
 

@@ -165,42 +165,125 @@ TEST_F(DepthColorsTest, AFilmWithoutMediumChangesNothing) {
 
 /// What a frame remembers of the one before where a target moves by `speedPx` a frame: at a pixel
 /// whose match was rim and that lies inside now, and at one that always lay inside.
-TargetLevel remembering(const Exemplar& film, float speedPx, const Deepening* deepening) {
+TargetLevel remembering(const Exemplar& film, float speedPx, const PreviousRules& rules) {
   const test::GrowingDisc disc{Size{72, 64}, {36.0F, 32.0F}, 20.0F, speedPx, 1};
   NearestNeighborField field(disc.size);
   // In frame 6 the film's disc has a radius of 20 px: these lie 2 and 12 px deep there
   field(36 + 10, 32) = {36.0F + 18.0F, 32.0F, 6, Rotation{}};
   field(36 - 8, 32) = {36.0F - 8.0F, 32.0F, 6, Rotation{}};
   TargetLevel target(finestLevel(disc.guides(0)), kBorderPx);
-  setPrevious(film.level(0), kBorderPx, {8.0F, 2.0F}, field, target, deepening);
+  setPrevious(film.level(0), kBorderPx, rules, field, target);
   return target;
 }
 
 TEST_F(DepthColorsTest, ThePreviousPictureFollowsTheDepthAsFarAsTheTargetMoves) {
   const Exemplar film = filmOf(disc_, 0, [](int) { return 5.0F; });
-  const Deepening once{DepthColors(film.level(0)), 1.0F};
+  const DepthColors colors(film.level(0));
+  const PreviousRules asItIs{{8.0F, 2.0F}};
+  PreviousRules once = asItIs;
+  once.filmColors = &colors;
+  once.deepening = 1.0F;
   const auto lightness = [](const TargetLevel& level, int x) {
     return level.previous(x, 32).lab().l;
   };
-  const TargetLevel kept = remembering(film, kBorderPx, nullptr);
+  const TargetLevel kept = remembering(film, kBorderPx, asItIs);
   EXPECT_NEAR(lightness(kept, 46), 80.0F, 1.0F);
-  EXPECT_EQ(lightness(remembering(film, 0.0F, &once), 46), lightness(kept, 46)) << "at rest";
-  EXPECT_NEAR(lightness(remembering(film, kBorderPx / 2, &once), 46), 65.0F, 1.5F);
+  EXPECT_EQ(lightness(remembering(film, 0.0F, once), 46), lightness(kept, 46)) << "at rest";
+  EXPECT_NEAR(lightness(remembering(film, kBorderPx / 2, once), 46), 65.0F, 1.5F);
   for (const float speedPx : {kBorderPx, 3.0F * kBorderPx}) {
-    const TargetLevel deepened = remembering(film, speedPx, &once);
+    const TargetLevel deepened = remembering(film, speedPx, once);
     EXPECT_NEAR(lightness(deepened, 46), 50.0F, 2.0F) << "10 px deep now: dark as the interior";
     EXPECT_EQ(lightness(deepened, 28), lightness(kept, 28)) << "interior before and after";
     EXPECT_EQ(deepened.modulation(46, 32), kept.modulation(46, 32));
   }
 }
 
+TEST_F(DepthColorsTest, AColourThatTheFilmHardlyHasCountsLessWhereTheTargetMoves) {
+  const Exemplar film = filmOf(
+      disc_, 0, [](int) { return 5.0F; }, 8.0F);
+  const DepthColors colors(film.level(0));
+  const PreviousRules trusting{{8.0F, 2.0F}};
+  PreviousRules doubting = trusting;
+  doubting.filmColors = &colors;
+  doubting.outlierSigmas = 2.0F;
+  const auto modulation = [](const TargetLevel& level, int x) { return level.modulation(x, 32); };
+  const TargetLevel trusted = remembering(film, 1.0F, trusting);
+  const TargetLevel doubted = remembering(film, 1.0F, doubting);
+  const auto expected = [&](int x) {
+    const float z = colors.deviations(6, trusted.guides(x, 32).edge, trusted.previous(x, 32).lab());
+    const float beyond = std::max(z - doubting.outlierSigmas, 0.0F);
+    return trusted.modulation(x, 32) * std::exp(-0.5F * beyond * beyond);
+  };
+  // As pale as 2 px deep, 10 px deep; and what always lay inside
+  ASSERT_GT(modulation(trusted, 46), 0.1F);
+  EXPECT_LT(modulation(doubted, 46), 0.2F * modulation(trusted, 46));
+  EXPECT_EQ(modulation(doubted, 28), modulation(trusted, 28));
+  for (const int x : {28, 46}) EXPECT_NEAR(modulation(doubted, x), expected(x), 1e-5F) << x;
+  const TargetLevel atRest = remembering(film, 0.0F, doubting);
+  EXPECT_EQ(modulation(atRest, 46), modulation(remembering(film, 0.0F, trusting), 46));
+  EXPECT_EQ(doubted.previous(46, 32).l, trusted.previous(46, 32).l) << "it is not changed";
+}
+
+TEST_F(DepthColorsTest, DeviationsAreThoseOfTheFilmAtThatDepth) {
+  constexpr float kGrain = 12.0F;
+  const Exemplar film = filmOf(
+      disc_, 0, [](int k) { return 4.0F + 0.1F * static_cast<float>(k); }, kGrain);
+  const DepthColors colors(film.level(0));
+  const ExemplarLevel& level = film.level(0);
+  // The interior is one depth: its colours in all frames, from each frame's mean
+  double squares = 0.0;
+  int count = 0;
+  std::vector<double> means;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int k = 0; k < disc_.frameCount; ++k) {
+      double sum = 0.0;
+      int ofFrame = 0;
+      for (int y = 0; y < disc_.size.height; ++y) {
+        for (int x = 0; x < disc_.size.width; ++x) {
+          if (level.segment(x, y, k) == Segment::kOutside) continue;
+          if (level.texel(x, y, k).guides.edge < edgeAt(kBorderPx)) continue;
+          const double l = level.texel(x, y, k).color.lab().l;
+          sum += l;
+          ++ofFrame;
+          if (pass == 0) continue;
+          const double off = l - means[static_cast<std::size_t>(k)];
+          squares += off * off;
+          ++count;
+        }
+      }
+      if (pass == 0) means.push_back(sum / ofFrame);
+    }
+  }
+  const double deviation = std::sqrt(squares / count);
+  ASSERT_GT(deviation, 2.0);
+  for (const int k : {3, 8}) {
+    const auto mean = static_cast<float>(means[static_cast<std::size_t>(k)]);
+    const Lab twelveOff{mean + 12.0F, 2.0F * kBorderPx, 0.0F};
+    const float z = colors.deviations(k, edgeAt(kBorderPx), twelveOff);
+    // Means are those of a few frames together
+    EXPECT_NEAR(z, 12.0 / deviation, 0.15 * 12.0 / deviation) << k;
+  }
+}
+
+TEST_F(DepthColorsTest, AFilmWithoutGrainHasADeviationOfOne) {
+  const Exemplar film = filmOf(disc_, 0, [](int) { return 0.0F; });
+  const DepthColors colors(film.level(0));
+  const Lab there = film.level(0).texel(36, 32, 5).color.lab();
+  EXPECT_NEAR(colors.deviations(5, edgeAt(kBorderPx), there), 0.0F, 0.1F);
+  EXPECT_NEAR(colors.deviations(5, edgeAt(kBorderPx), {there.l - 3.0F, there.a, there.b}), 3.0F,
+              0.1F)
+      << "at least 1 dE";
+}
+
 /// By how much what lies inside is lighter than in the film, in the last frame of a disc that
 /// travels by twice its own width.
 double palerThanTheFilm(const Exemplar& film, double filmsInterior, float deepening,
-                        int depthReachFrames = 0) {
-  SynthesisOptions options;  // the standard look
+                        int depthReachFrames = 0, float outlierSigmas = 0.0F) {
+  SynthesisOptions options;       // the standard look
+  options.optVoteSigmaPx = 0.0F;  // narrow votes make this film fade less by themselves
   options.prevDeepening = deepening;
   options.prevDepthReachFrames = depthReachFrames;
+  options.prevOutlierSigmas = outlierSigmas;
   Synthesizer synthesizer(film, options);
   double sum = 0.0;
   int count = 0;
@@ -232,9 +315,12 @@ TEST_F(DepthColorsTest, AShapeThatTravelsKeepsItsBodyColour) {
       palerThanTheFilm(film, kFilmsInterior, 0.0F, SynthesisOptions{}.prevDepthReachFrames);
   EXPECT_LT(std::abs(fitted), 0.5 * kept) << "by the film's own frames";
   const SynthesisOptions standard;
-  const double both =
-      palerThanTheFilm(film, kFilmsInterior, standard.prevDeepening, standard.prevDepthReachFrames);
-  EXPECT_LT(std::abs(both), 0.5 * kept);
+  const double doubted =
+      palerThanTheFilm(film, kFilmsInterior, 0.0F, 0, standard.prevOutlierSigmas);
+  EXPECT_LT(std::abs(doubted), 0.5 * kept) << "without what the film has not";
+  const double all = palerThanTheFilm(film, kFilmsInterior, standard.prevDeepening,
+                                      standard.prevDepthReachFrames, standard.prevOutlierSigmas);
+  EXPECT_LT(std::abs(all), 0.5 * kept);
 }
 
 }  // namespace

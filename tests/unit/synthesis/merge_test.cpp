@@ -23,7 +23,7 @@ class MergeTest : public ::testing::Test {
   }
 
   [[nodiscard]] Image<FixedLab> voteOf(const NearestNeighborField& nnf) const {
-    return vote(exemplar_.level(0), target_.segment, nnf);
+    return vote(exemplar_.level(0), target_.segment, nnf, options_.optVoteSigmaPx);
   }
 
   [[nodiscard]] NearestNeighborField merged(const NearestNeighborField& upscaled,

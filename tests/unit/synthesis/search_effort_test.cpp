@@ -93,7 +93,7 @@ TEST_F(PatchMatchTest, LeavingAloneWhatIsSettledCostsLessAndLosesLittle) {
     for (int i = 0; i < kRounds; ++i) {
       outcome.statistics += findNearestNeighbors(problem(), weights_, kSweeps, kSweeps * i, nnf,
                                                  Candidates::kAll, &changing);
-      target_.picture = vote(exemplar_.level(0), target_.segment, nnf);
+      target_.picture = vote(exemplar_.level(0), target_.segment, nnf, 0.0F);
     }
     outcome.energy = energy(nnf);
     return outcome;

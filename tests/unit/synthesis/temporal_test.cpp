@@ -271,7 +271,7 @@ class BothNeighbors : public ::testing::Test {
     NearestNeighborField second(disc_.size);
     first(24, 20) = before;
     second(24, 20) = after;
-    setBothNeighbors(exemplar_.level(0), kBorderPx, {5.0F, 1.0F}, first, second, target);
+    setBothNeighbors(exemplar_.level(0), kBorderPx, {{5.0F, 1.0F}}, first, second, target);
     return target;
   }
 
@@ -287,7 +287,7 @@ TEST_F(BothNeighbors, OfOneAloneIsWhatThatOneSays) {
   TargetLevel alone(finestLevel(disc_.guides(1)), kBorderPx);
   NearestNeighborField field(disc_.size);
   field(24, 20) = deep_;
-  setPrevious(exemplar_.level(0), kBorderPx, {5.0F, 1.0F}, field, alone);
+  setPrevious(exemplar_.level(0), kBorderPx, {{5.0F, 1.0F}}, field, alone);
   for (const TargetLevel& target : {between(deep_, Match{}), between(Match{}, deep_)}) {
     EXPECT_EQ(target.previous(24, 20).l, alone.previous(24, 20).l);
     EXPECT_EQ(target.modulation(24, 20), alone.modulation(24, 20));
@@ -319,7 +319,7 @@ TEST(SetPrevious, ModulationComparesClampedDistances) {
   shifted(24, 20) = {26.0F, 20.0F, 0, Rotation{}};  // 16 and 14 px deep: equal once clamped at 10
   shifted(36, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 4 and 2 px deep: within m_l
   shifted(30, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 10 and 2 px deep: 8 px apart
-  setPrevious(exemplar.level(0), kBorderWidthPx, {10.0F, 2.0F}, shifted, target);
+  setPrevious(exemplar.level(0), kBorderWidthPx, {{10.0F, 2.0F}}, shifted, target);
   EXPECT_FLOAT_EQ(target.modulation(24, 20), 1.0F);
   EXPECT_FLOAT_EQ(target.modulation(36, 20), 1.0F);
   EXPECT_NEAR(target.modulation(30, 20), 3.0F / 16.0F - 2.0F / 64.0F, 1e-5F);  // v = 1/4
@@ -344,7 +344,7 @@ TEST(SetPrevious, ModulationComparesFullDistancesWhereTheRulesSaySo) {
       shifted(24, 20) = {34.0F, 20.0F, 0, Rotation{}};  // 16 and 6 px deep: 10 px apart
       shifted(26, 20) = {28.0F, 20.0F, 0, Rotation{}};  // 14 and 12 px deep
       shifted(37, 20) = {24.0F, 20.0F, 0, Rotation{}};  // 3 and 16 px deep: 13 px apart, or 2
-      setPrevious(exemplar.level(0), kBorderWidthPx, {10.0F, 2.0F}, shifted, target);
+      setPrevious(exemplar.level(0), kBorderWidthPx, {{10.0F, 2.0F}}, shifted, target);
       EXPECT_EQ(target.modulation(24, 20), clamped ? 1.0F : 0.0F);
       EXPECT_EQ(target.modulation(26, 20), 1.0F);
       EXPECT_EQ(target.modulation(37, 20), clamped ? 1.0F : 0.0F);
@@ -364,7 +364,7 @@ TEST(SetPrevious, AStandInOfAShapeWithoutEdgeIsComparedUpToTheBorderWidth) {
   NearestNeighborField shifted(disc.size);
   shifted(24, 20) = {24.0F, 20.0F, 0, Rotation{}};  // inside is inside, however deep
   shifted(30, 20) = {38.0F, 20.0F, 0, Rotation{}};  // 2 px deep: 3 px apart
-  setPrevious(exemplar.level(0), kBorderWidthPx, {4.0F, 2.0F}, shifted, target);
+  setPrevious(exemplar.level(0), kBorderWidthPx, {{4.0F, 2.0F}}, shifted, target);
   EXPECT_EQ(target.modulation(24, 20), 1.0F);
   EXPECT_NEAR(target.modulation(30, 20), 0.5F, 1e-5F);
 }

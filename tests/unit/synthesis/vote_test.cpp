@@ -44,7 +44,7 @@ TEST(Vote, TheIdentityFieldReproducesTheExemplar) {
     }
   }
   const Image<FixedLab> picture =
-      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
+      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf, 0.0F);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 20; ++x) expectSame(picture(x, y), FixedLab::of(color(x, y)));
   }
@@ -61,7 +61,7 @@ TEST(Vote, AFieldThatTurnsByARightAngleTurnsThePicture) {
     }
   }
   const Image<FixedLab> picture =
-      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf);
+      vote(exemplar, Image<Segment>(color.size(), Segment::kBorder), nnf, 0.0F);
   for (int y = 2; y < 14; ++y) {
     for (int x = 2; x < 14; ++x) expectSame(picture(x, y), FixedLab::of(color(y, 15 - x)));
   }
@@ -83,12 +83,17 @@ NearestNeighborField scattered(Size size, Size exemplar) {
   return nnf;
 }
 
+/// Windows weighted by nothing but their distance, and seams left as they are.
+VoteOptions plainVote(float sigmaPx, Interpolation interpolation) {
+  return {sigmaPx, interpolation, 0.0F, 0.0F};
+}
+
 TEST(PaintedVote, WithTheThesisOptionsIsTheVoteToItsFixedPoint) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
   const Image<Segment> segment(Size{14, 12}, Segment::kBorder);
   const NearestNeighborField nnf = scattered(segment.size(), exemplar.size());
-  const Image<FixedLab> plain = vote(exemplar, segment, nnf);
-  const Image<Lab> painted = paintedVote(exemplar, Mask(nnf.size(), 1), nnf, VoteOptions{0.0F, {}});
+  const Image<FixedLab> plain = vote(exemplar, segment, nnf, 0.0F);
+  const Image<Lab> painted = paintedVote(exemplar, Mask(nnf.size(), 1), nnf, plainVote(0.0F, {}));
   for (std::size_t i = 0; i < plain.pixelCount(); ++i) {
     ASSERT_TRUE(plain.data()[i].exists());
     const Lab voted = plain.data()[i].lab();
@@ -105,7 +110,7 @@ TEST(PaintedVote, ANarrowWeightLeavesEachPixelItsOwnMatch) {
   for (const Interpolation interpolation :
        {Interpolation::kBilinear, Interpolation::kCubic, Interpolation::kLanczos}) {
     const Image<Lab> picture =
-        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {0.05F, interpolation});
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, plainVote(0.05F, interpolation));
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
         const float own =
@@ -128,7 +133,7 @@ TEST(PaintedVote, PixelsNextToTheMaskAreSeenByTheWindowsOfTheirNeighbours) {
   }
   for (const float sigmaPx : {0.0F, 0.01F, 0.1F, 0.5F, 2.0F}) {
     const Image<Lab> picture =
-        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kCubic});
+        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, plainVote(sigmaPx, Interpolation::kCubic));
     for (int y = 0; y < 12; ++y) {
       for (int x = 0; x < 14; ++x) {
         const bool reached = x < 7 + kPatchRadius;
@@ -153,7 +158,7 @@ TEST(PaintedVote, AWindowThatHasThePixelAtAnotherDepthIsNotTrusted) {
   }
   nnf(24, 10) = {24.0F, 5.0F, 0, Rotation{}};  // 6 px deep, and painted from the rim
   const auto painted = [&](float depthSigmaPx) {
-    const VoteOptions options{0.05F, Interpolation::kBilinear, depthSigmaPx};
+    const VoteOptions options{0.05F, Interpolation::kBilinear, depthSigmaPx, 0.0F};
     return paintedVote(exemplar.level(0), Mask(nnf.size(), 1), nnf, options, &target.guides);
   };
   const auto colorAt = [&](int x, int y) {
@@ -169,8 +174,8 @@ TEST(PaintedVote, AWiderWeightLiesBetween) {
   const ExemplarLevel exemplar = oneFrame(test::randomTexture({20, 16}, 3));
   const NearestNeighborField nnf = scattered({14, 12}, exemplar.size());
   const auto spread = [&](float sigmaPx) {
-    const Image<Lab> color =
-        paintedVote(exemplar, Mask(nnf.size(), 1), nnf, {sigmaPx, Interpolation::kBilinear});
+    const Image<Lab> color = paintedVote(exemplar, Mask(nnf.size(), 1), nnf,
+                                         plainVote(sigmaPx, Interpolation::kBilinear));
     double sum = 0.0;
     double squares = 0.0;
     for (const Lab& c : color) {
@@ -198,7 +203,8 @@ TEST(Vote, AConstantExemplarVotesItsConstant) {
                    {std::cos(angle), std::sin(angle)}};
     }
   }
-  const Image<FixedLab> picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
+  const Image<FixedLab> picture =
+      vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, 0.0F);
   for (const FixedLab color : picture) expectSame(color, FixedLab::of({40.0F, 5.0F, -7.0F}));
 }
 
@@ -217,7 +223,8 @@ TEST(Vote, StaysWithinTheExemplarsExtremes) {
                    {0.6F, 0.8F}};
     }
   }
-  const Image<FixedLab> picture = vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf);
+  const Image<FixedLab> picture =
+      vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, 0.0F);
   for (const FixedLab voted : picture) {
     EXPECT_GE(voted.l, FixedLab::of(*low).l);
     EXPECT_LE(voted.l, FixedLab::of(*high).l);
@@ -230,7 +237,7 @@ TEST(Vote, PixelsThatNoWindowCoversDoNotExist) {
   nnf(0, 0) = {5.0F, 5.0F, 0, Rotation{}};
   Image<Segment> inside(Size{12, 1}, Segment::kBorder);
   inside(1, 0) = Segment::kOutside;
-  const Image<FixedLab> picture = vote(exemplar, inside, nnf);
+  const Image<FixedLab> picture = vote(exemplar, inside, nnf, 0.0F);
   EXPECT_TRUE(picture(0, 0).exists());
   EXPECT_FALSE(picture(1, 0).exists());  // covered, but outside the mask
   EXPECT_TRUE(picture(2, 0).exists());
@@ -268,17 +275,23 @@ class TallVote : public ::testing::Test {
     }
   }
 
-  /// The mean at (x, y) over the windows that cover it; a match outside the exemplar stands for the
+  /// The mean at (x, y) over the windows that cover it, weighted by a Gaussian of their centres'
+  /// distance in whole 256ths, sigma 0: all alike; a match outside the exemplar stands for the
   /// nearest place whose nearest pixel is inside. @return  false where there are none.
-  [[nodiscard]] bool slowVote(int x, int y, std::array<double, kColorChannels>& mean) const {
+  [[nodiscard]] bool slowVote(int x, int y, double sigmaPx,
+                              std::array<double, kColorChannels>& mean) const {
     mean = {};
-    int windows = 0;
+    double weights = 0.0;
     for (int ny = y - kPatchRadius; ny <= y + kPatchRadius; ++ny) {
       for (int nx = x - kPatchRadius; nx <= x + kPatchRadius; ++nx) {
         if (!nnf_.contains(nx, ny) || !nnf_(nx, ny).exists()) continue;
         const Match& match = nnf_(nx, ny);
         const double dx = x - nx;
         const double dy = y - ny;
+        const double weight =
+            sigmaPx > 0.0
+                ? std::round(256.0 * std::exp(-0.5 * (dx * dx + dy * dy) / (sigmaPx * sigmaPx)))
+                : 1.0;
         const double c = match.rotation.cosine;
         const double s = match.rotation.sine;
         const double centreX =
@@ -286,37 +299,41 @@ class TallVote : public ::testing::Test {
         const double centreY =
             std::clamp(static_cast<double>(match.y), -0.5, exemplarSize_.height - 0.5);
         for (const Channel channel : {kLightness, kGreenRed, kBlueYellow}) {
-          mean[static_cast<std::size_t>(channel)] += test::slowSample(
-              exemplar_, 0, centreX + c * dx + s * dy, centreY + c * dy - s * dx, channel);
+          mean[static_cast<std::size_t>(channel)] +=
+              weight * test::slowSample(exemplar_, 0, centreX + c * dx + s * dy,
+                                        centreY + c * dy - s * dx, channel);
         }
-        ++windows;
+        weights += weight;
       }
     }
-    for (double& m : mean) m /= std::max(windows, 1);
-    return windows > 0;
+    for (double& m : mean) m /= std::max(weights, 1.0);
+    return weights > 0.0;
   }
 };
 
 TEST_F(TallVote, EqualsASlowDoublePrecisionTwin) {
-  const Image<FixedLab> picture = vote(exemplar_, segment_, nnf_);
-  ASSERT_EQ(picture.size(), size_);
-  int uncovered = 0;
-  for (int y = 0; y < size_.height; ++y) {
-    for (int x = 0; x < size_.width; ++x) {
-      std::array<double, kColorChannels> mean{};
-      const bool covered = slowVote(x, y, mean);
-      const bool wanted = segment_(x, y) != Segment::kOutside;
-      uncovered += wanted && !covered ? 1 : 0;
-      ASSERT_EQ(picture(x, y).exists(), wanted && covered) << x << ", " << y;
-      if (!picture(x, y).exists()) continue;
-      ASSERT_EQ(picture(x, y).weight, 1);
-      const Lab voted = picture(x, y).lab();
-      ASSERT_NEAR(voted.l, mean[kLightness], kVoteTolerance) << x << ", " << y;
-      ASSERT_NEAR(voted.a, mean[kGreenRed], kVoteTolerance) << x << ", " << y;
-      ASSERT_NEAR(voted.b, mean[kBlueYellow], kVoteTolerance) << x << ", " << y;
+  for (const float sigmaPx : {0.0F, 0.35F, 0.5F, 1.0F, 100.0F}) {
+    SCOPED_TRACE(sigmaPx);
+    const Image<FixedLab> picture = vote(exemplar_, segment_, nnf_, sigmaPx);
+    ASSERT_EQ(picture.size(), size_);
+    int uncovered = 0;
+    for (int y = 0; y < size_.height; ++y) {
+      for (int x = 0; x < size_.width; ++x) {
+        std::array<double, kColorChannels> mean{};
+        const bool covered = slowVote(x, y, sigmaPx, mean);
+        const bool wanted = segment_(x, y) != Segment::kOutside;
+        uncovered += wanted && !covered ? 1 : 0;
+        ASSERT_EQ(picture(x, y).exists(), wanted && covered) << x << ", " << y;
+        if (!picture(x, y).exists()) continue;
+        ASSERT_EQ(picture(x, y).weight, 1);
+        const Lab voted = picture(x, y).lab();
+        ASSERT_NEAR(voted.l, mean[kLightness], kVoteTolerance) << x << ", " << y;
+        ASSERT_NEAR(voted.a, mean[kGreenRed], kVoteTolerance) << x << ", " << y;
+        ASSERT_NEAR(voted.b, mean[kBlueYellow], kVoteTolerance) << x << ", " << y;
+      }
     }
+    EXPECT_GT(uncovered, 0);
   }
-  EXPECT_GT(uncovered, 0);
 }
 
 bool sameBytes(const Image<FixedLab>& a, const Image<FixedLab>& b) {
@@ -327,17 +344,17 @@ bool sameBytes(const Image<FixedLab>& a, const Image<FixedLab>& b) {
 TEST_F(TallVote, IsTheSameForAnyNumberOfThreads) {
   const int defaultThreads = omp_get_max_threads();
   omp_set_num_threads(1);
-  const Image<FixedLab> one = vote(exemplar_, segment_, nnf_);
+  const Image<FixedLab> one = vote(exemplar_, segment_, nnf_, 0.0F);
   for (const int threads : {2, 3, 7}) {
     omp_set_num_threads(threads);
-    EXPECT_TRUE(sameBytes(vote(exemplar_, segment_, nnf_), one)) << threads;
+    EXPECT_TRUE(sameBytes(vote(exemplar_, segment_, nnf_, 0.0F), one)) << threads;
   }
   omp_set_num_threads(defaultThreads);
 }
 
 TEST_F(TallVote, DoesNotDependOnWhereItsBandsAreCut) {
   // Without its first rows the picture is cut elsewhere
-  const Image<FixedLab> whole = vote(exemplar_, segment_, nnf_);
+  const Image<FixedLab> whole = vote(exemplar_, segment_, nnf_, 0.0F);
   for (const int above : {1, 5, 16, 31}) {
     const Size size{size_.width, size_.height - above};
     Image<Segment> segment(size);
@@ -348,7 +365,7 @@ TEST_F(TallVote, DoesNotDependOnWhereItsBandsAreCut) {
         nnf(x, y) = nnf_(x, y + above);
       }
     }
-    const Image<FixedLab> part = vote(exemplar_, segment, nnf);
+    const Image<FixedLab> part = vote(exemplar_, segment, nnf, 0.0F);
     for (int y = kPatchRadius; y < size.height; ++y) {
       ASSERT_EQ(std::memcmp(part.row(y), whole.row(y + above),
                             static_cast<std::size_t>(size.width) * sizeof(FixedLab)),
@@ -364,7 +381,7 @@ TEST(Vote, AMatchOutsideTheExemplarStandsForTheNearestPlaceInside) {
   const auto voted = [&](float x, float y) {
     NearestNeighborField nnf(segment.size());
     nnf(2, 2) = {x, y, 0, {0.6F, 0.8F}};
-    return vote(exemplar, segment, nnf);
+    return vote(exemplar, segment, nnf, 0.0F);
   };
   const float right = std::nextafter(11.5F, 0.0F);
   const float bottom = std::nextafter(9.5F, 0.0F);
@@ -374,6 +391,76 @@ TEST(Vote, AMatchOutsideTheExemplarStandsForTheNearestPlaceInside) {
   EXPECT_TRUE(sameBytes(voted(3.0F, 9.5F), voted(3.0F, bottom)));
   EXPECT_TRUE(sameBytes(voted(-1.0F, 20.0F), voted(-0.5F, bottom)));
   EXPECT_FALSE(sameBytes(voted(-1.0F, 20.0F), voted(0.5F, bottom)));
+}
+
+/// Two pieces of an exemplar that meet in the middle: one is `lighter` than the other, both have
+/// the same texture.
+class Seam : public ::testing::Test {
+ protected:
+  Seam() {
+    const Image<Lab> texture = test::randomTexture({20, 16}, 3);
+    Image<Lab> color({40, 16});
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        color(x, y) = texture(x % 20, y);
+        if (x >= 20) color(x, y).l += kLighter;
+      }
+    }
+    exemplar_ = oneFrame(color);
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 20; ++x) {
+        nnf_(x, y) = {static_cast<float>(x < 10 ? x : x + 20), static_cast<float>(y), 0, {}};
+      }
+    }
+  }
+
+  [[nodiscard]] Image<Lab> painted(float seamWeight) const {
+    return paintedVote(exemplar_, Mask(nnf_.size(), 1), nnf_,
+                       {0.05F, Interpolation::kBilinear, 0.0F, seamWeight});
+  }
+
+  static constexpr float kLighter = 10.0F;
+  ExemplarLevel exemplar_ = oneFrame(Image<Lab>(Size{1, 1}));
+  NearestNeighborField nnf_{Size{20, 16}};
+};
+
+TEST_F(Seam, BecomesASlopeThatKeepsTheTexture) {
+  const Image<Lab> asSeam = painted(0.0F);
+  for (const float weight : {0.3F, 1.0F, 4.0F}) {
+    const Image<Lab> blended = painted(weight);
+    // Along an axis across the seam the changes are geometric series on either side
+    const double kept = 1.0 + 0.5 / weight - std::sqrt(0.25 / (weight * weight) + 1.0 / weight);
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 20; ++x) {
+        const double side = x < 10 ? 1.0 : -1.0;
+        const int fromSeam = x < 10 ? 9 - x : x - 10;
+        const double atSeam = 0.5 * kLighter * (1.0 - (1.0 - kept) / (1.0 + kept));
+        const double change = side * atSeam * std::pow(kept, fromSeam);
+        // The picture's sides cut the series off, and the solver stops
+        EXPECT_NEAR(blended(x, y).l - asSeam(x, y).l, change, 0.02 * kLighter)
+            << x << ", " << y << ", " << weight;
+      }
+    }
+  }
+}
+
+TEST_F(Seam, WithinAPieceNothingChanges) {
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      nnf_(x, y) = {static_cast<float>(x) + 3.25F, static_cast<float>(y), 0, {}};
+    }
+  }
+  const Image<Lab> asSeam = painted(0.0F);
+  const Image<Lab> blended = painted(1.0F);
+  EXPECT_EQ(std::memcmp(asSeam.data(), blended.data(), asSeam.pixelCount() * sizeof(Lab)), 0);
+}
+
+TEST_F(Seam, APixelWithoutAMatchIsLeftAsItIs) {
+  for (int y = 0; y < 16; ++y) nnf_(10, y) = Match{};
+  const Image<Lab> asSeam = painted(0.0F);
+  const Image<Lab> blended = painted(1.0F);
+  EXPECT_EQ(std::memcmp(asSeam.data(), blended.data(), asSeam.pixelCount() * sizeof(Lab)), 0)
+      << "no step across it is known";
 }
 
 }  // namespace
