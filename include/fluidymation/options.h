@@ -95,9 +95,9 @@ struct VoteOptions {
   /// else may reach past the rim of its own shape, and its bare pixels would show inside.
   float depthSigmaPx = 0.5F;
   /// How much the steps from pixel to pixel that windows show count beside the colours, where the
-  /// windows of neighbouring pixels do not continue each other, see `seamChanges`; 0: not at all,
-  /// as in the thesis. Seams between pieces of the exemplar become slopes, and what lies within
-  /// the pieces keeps its detail.
+  /// windows of neighbouring pixels do not continue each other; 0: not at all, as in the thesis.
+  /// Seams between pieces of the exemplar become slopes of about the root of this in px, and what
+  /// lies within the pieces keeps its detail (docs/decisions.md).
   float seamWeight = 0.3F;
 };
 
@@ -154,8 +154,8 @@ struct SynthesisOptions {
   int prevDepthReachFrames = 20;
   /// Where the target moves, a colour of the previous frame that is further than so many standard
   /// deviations from the film's mean at its distance to the edge counts less, one deviation further
-  /// 0.6, two 0.14, see `setPrevious`; 0: all count, as in the thesis. Of no account where ages are
-  /// compared.
+  /// 0.6, two 0.14, see `setPrevious`; 0: all count in full, as in the thesis. Of no account where
+  /// ages are compared.
   float prevOutlierSigmas = 2.0F;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).

@@ -140,8 +140,9 @@ void addGuides(Table& table) {
                 "frames", ranges::kDepthReaches, "thesis §3.7: 0",
                 [](CommandLine& c) -> int& { return c.options.synthesis.prevDepthReachFrames; });
   table.real("--prev-outlier-sigmas", kGuides,
-             "remembered colours further than so many standard deviations\n"
-             "from the film's at their depth count less; 0: all count",
+             "moving shapes forget colours that are so many standard\n"
+             "deviations off the film's at that depth: 1: more of them;\n"
+             "0: none; not where lines are drawn",
              "", ranges::kOutlierSigmas, "thesis §3.7: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevOutlierSigmas; });
   addBorderWidth(table);
@@ -266,8 +267,9 @@ void addSynthesis(Table& table) {
              ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.sigmaPx; });
   table.real("--opt-vote-sigma", kSynthesis,
-             "the same within the search and vote: narrow ones find more\n"
-             "detail, wide ones smoother patches; 0: all alike",
+             "while searching, windows this close count most: small finds\n"
+             "more detail, large smoother patches; 0: all alike, as always\n"
+             "where lines are drawn",
              "px", ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.optVoteSigmaPx; });
   table.word<Interpolation>("--vote-interpolation", kSynthesis,
@@ -279,9 +281,9 @@ void addSynthesis(Table& table) {
                               return c.options.synthesis.paintedVote.interpolation;
                             });
   table.real("--seam-blending", kSynthesis,
-             "how softly pieces of the film meet: as slopes of about the\n"
-             "root of this in px; 0: as seams, crisper",
-             "", ranges::kSeamWeights, "thesis: 0",
+             "softens the seams where pieces of the film meet; 2: softer;\n"
+             "0: as they are, crisper",
+             "", ranges::kSeamWeights, "not in the thesis",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.seamWeight; });
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",

@@ -47,11 +47,12 @@ constexpr double kGuideBytes = 72.0;
 constexpr double kSolverBytes = 216.0;
 constexpr double kReadingBytes = 128.0;
 constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
-// And while the picture is painted: the steps wanted across seams, and the changes they make.
-constexpr double kSeamBytes = 3.0 * 16.0;
 // Of these, per pixel as stored, while a frame is decoded: as RGBA and as RGB, or as RGBA and
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
+// And while the picture is painted, with --seam-blending 0 or not: the steps wanted across seams,
+// and the changes they make.
+constexpr double kSeamBytes = 3.0 * 16.0;
 
 // Of a frame that waits for its turn: its mask, and per mask pixel its flow, every so many frames
 // the motion still to come, and of anti-aliased masks the outline, with at most two crossings a

@@ -38,8 +38,9 @@ struct SourceWindow {
 
 /// How much the samples of a window count, in the order of kSampleOffsets.
 struct SampleWeights {
-  alignas(32) std::array<std::int32_t, kPaddedSamples> ofSample{};
-  std::array<bool, kSampleBlocks> blockCounts{};  ///< whether any sample of a block counts
+  std::array<std::int32_t, kPatchArea> ofSample{};
+  /// Whether any sample of a block counts; the last one, the window's own pixel, always does.
+  std::array<bool, kSampleBlocks> blockCounts{};
 };
 
 /// Where the colours of one window are added up: four sums (L, a, b in FixedLab's steps, weight)
@@ -47,7 +48,7 @@ struct SampleWeights {
 struct WindowSums {
   std::int32_t* centre = nullptr;           ///< of the window's own pixel
   const std::ptrdiff_t* offsets = nullptr;  ///< of kPatchArea samples from there
-  const SampleWeights* weights = nullptr;
+  const SampleWeights* weights = nullptr;   ///< never null where colours are added
 };
 
 /// What a target window is made of: images of one size, and weights of squared steps.

@@ -68,6 +68,13 @@ bool isHeld(const GuideFrame& frame, const GuideFrame& before) {
          areEqual(frame.age, before.age, number);
 }
 
+/// Where ages are compared the votes of the search are as wide as the thesis': narrow ones keep to
+/// the colours of old paint beside the brush (docs/decisions.md).
+SynthesisOptions withRulesFor(const Exemplar& exemplar, SynthesisOptions options) {
+  if (exemplar.comparesAges()) options.optVoteSigmaPx = 0.0F;
+  return options;
+}
+
 /// The mask, and what else the outline of a soft shape cuts.
 Mask paintedPixels(const GuideFrame& frame) {
   Mask painted(frame.mask.size());
@@ -84,10 +91,9 @@ Mask paintedPixels(const GuideFrame& frame) {
 Synthesizer::Synthesizer(const Exemplar& exemplar, SynthesisOptions options,
                          StageObserver* observer)
     : exemplar_(exemplar),
-      options_(std::move(options)),
+      options_(withRulesFor(exemplar, std::move(options))),
       observer_(observer),
       filmBegin_(exemplar.firstFrame()) {
-  if (exemplar_.comparesAges()) options_.optVoteSigmaPx = 0.0F;
   studyExemplar();
 }
 

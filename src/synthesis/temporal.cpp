@@ -136,7 +136,15 @@ FixedLab changedBy(const FixedLab& color, float share, const Lab& change) {
       {lab.l + share * change.l, lab.a + share * change.a, lab.b + share * change.b});
 }
 
-float gaussian(float x) { return std::exp(-0.5F * x * x); }
+/// How much a colour counts that is so many standard deviations beyond what is trusted in full,
+/// where the target moves by `speedPx` in this frame.
+float trustIn(float deviationsBeyond, float speedPx) {
+  // Slower movement forgets more slowly, and rest not at all: the surface of what hardly moves
+  // would else be as restless as that of what sweeps on.
+  constexpr float kFullSpeedPx = 0.25F;
+  const float z = std::max(deviationsBeyond, 0.0F);
+  return std::exp(-0.5F * z * z * std::min(speedPx / kFullSpeedPx, 1.0F));
+}
 
 }  // namespace
 
@@ -195,7 +203,7 @@ void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const Previ
       if (rules.outlierSigmas > 0.0F) {
         const float deviations =
             rules.filmColors->deviations(match.frame, depthHere, previous.lab());
-        modulation *= gaussian(std::max(deviations - rules.outlierSigmas, 0.0F));
+        modulation *= trustIn(deviations - rules.outlierSigmas, speedPx);
       }
     }
   });

@@ -34,18 +34,18 @@ Match inImage(const Match& match, Size size) {
 /// The weights of a window's samples, in the order of kSampleOffsets: whole numbers, so that sums
 /// are exact. With sigma 0 all are 1.
 SampleWeights sampleWeights(float sigmaPx) {
-  constexpr float kWhole =
-      256.0F;  // of the window's own pixel; 25 such sums of colours fit 32 bits
-  SampleWeights weights{};
+  // Of the window's own pixel; 25 colours times as much fit 32 bits
+  constexpr float kWhole = 256.0F;
+  SampleWeights weights;
   for (std::size_t i = 0; i < kPatchArea; ++i) {
-    const auto dx = static_cast<float>(sampleOffsetX(i));
-    const auto dy = static_cast<float>(sampleOffsetY(i));
-    weights.ofSample[i] =
-        sigmaPx > 0.0F
-            ? floorToInt(kWhole * std::exp(-0.5F * (dx * dx + dy * dy) / (sigmaPx * sigmaPx)) +
-                         0.5F)
-            : 1;
-    if (weights.ofSample[i] != 0) weights.blockCounts[i / kSampleBlock] = true;
+    std::int32_t& weight = weights.ofSample[i];
+    weight = 1;
+    if (sigmaPx > 0.0F) {
+      const float tx = static_cast<float>(sampleOffsetX(i)) / sigmaPx;
+      const float ty = static_cast<float>(sampleOffsetY(i)) / sigmaPx;
+      weight = floorToInt(kWhole * std::exp(-0.5F * (tx * tx + ty * ty)) + 0.5F);
+    }
+    if (weight != 0) weights.blockCounts[i / kSampleBlock] = true;
   }
   return weights;
 }
@@ -225,19 +225,22 @@ class DepthTrust {
   float scale_ = 0.0F;  ///< per square of a step of the edge guide
 };
 
-/// How much two pixels' step would have to change to be that of one of their windows. Of the two
-/// that both pixels have a window of their own, the larger step counts: the mean of two that do not
-/// agree has half their energy. Within a piece of the exemplar there is nothing to change.
-/// @param picture  of the pixels themselves, the windows' mean.
+/// By how much the step from one pixel to the next should be another one. The window of either,
+/// continued, shows both pixels, and so a step of the film. The larger of the two is wanted, by how
+/// much it is trusted: the mean of two that do not agree has half their energy. Within a piece of
+/// the exemplar, and beside a pixel without a match of its own, the step is to stay as it is.
+/// @param picture  the windows' mean.
+/// @return  in the last lane how much the step counts, see WantedSteps.
 template <typename Reader, typename Trust>
 Float4 wantedStep(const NearestNeighborField& nnf, Pixel from, Pixel to, const Reader& read,
                   const Trust& trust, const Image<Lab>& picture) {
   const Match& own = nnf(from.x, from.y);
   const Match& other = nnf(to.x, to.y);
-  if (!own.exists() || !other.exists()) return Float4{};
+  constexpr Float4 kAsItIs{0.0F, 0.0F, 0.0F, 1.0F};
+  if (!own.exists() || !other.exists()) return kAsItIs;
   const Vec2 step{static_cast<float>(to.x - from.x), static_cast<float>(to.y - from.y)};
   const Match ownThere = own.moved(step);
-  if (areAlike(ownThere, other)) return Float4{0.0F, 0.0F, 0.0F, 1.0F};
+  if (areAlike(ownThere, other)) return kAsItIs;
   const Match otherHere = other.moved({-step.x, -step.y});
   const auto colorOf = [&](const Match& match) { return read(match.frame, match.x, match.y); };
   const auto squared = [](const Float4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };

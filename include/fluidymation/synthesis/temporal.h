@@ -78,9 +78,10 @@ struct PreviousRules {
 /// that the thesis does not have act against it, where the target moves and at pixels with a match
 /// of their own. T^prev is changed as the exemplar's colours do from the depth of the pixel's match
 /// to the pixel's own, in the proportion of what the target moves there in this frame to the border
-/// width, times `deepening`, at most by the whole difference. And a colour that the exemplar
-/// hardly has at that depth, z > outlierSigmas standard deviations from its mean, counts by
-/// exp(-(z - outlierSigmas)^2 / 2).
+/// width, times `deepening`, at most by the whole difference. And a colour that is then, at
+/// that depth, z > outlierSigmas standard deviations from the exemplar's mean counts by
+/// exp(-(z - outlierSigmas)^2 / 2) where the target moves by a quarter of a pixel in this frame or
+/// more, by a root of it where it moves less.
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const PreviousRules& rules,
                  const NearestNeighborField& shifted, TargetLevel& target);
 

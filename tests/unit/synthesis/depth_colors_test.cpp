@@ -160,6 +160,8 @@ TEST_F(DepthColorsTest, AFilmWithoutMediumChangesNothing) {
   for (int l = 0; l < film.levelCount(); ++l) {
     const DepthColors colors(film.level(l));
     EXPECT_EQ(colors.change(0, edgeAt(1.0F), edgeAt(5.0F)).l, 0.0F);
+    EXPECT_EQ(colors.deviations(0, edgeAt(5.0F), {3.0F, 4.0F, 0.0F}), 5.0F)
+        << "of 1 dE, from black";
   }
 }
 
@@ -219,9 +221,55 @@ TEST_F(DepthColorsTest, AColourThatTheFilmHardlyHasCountsLessWhereTheTargetMoves
   EXPECT_LT(modulation(doubted, 46), 0.2F * modulation(trusted, 46));
   EXPECT_EQ(modulation(doubted, 28), modulation(trusted, 28));
   for (const int x : {28, 46}) EXPECT_NEAR(modulation(doubted, x), expected(x), 1e-5F) << x;
-  const TargetLevel atRest = remembering(film, 0.0F, doubting);
-  EXPECT_EQ(modulation(atRest, 46), modulation(remembering(film, 0.0F, trusting), 46));
+  const auto shareAt = [&](float speedPx) {
+    return modulation(remembering(film, speedPx, doubting), 46) /
+           modulation(remembering(film, speedPx, trusting), 46);
+  };
+  EXPECT_EQ(shareAt(0.0F), 1.0F) << "at rest";
+  for (const float speedPx : {0.01F, 0.02F}) {
+    EXPECT_NEAR(shareAt(speedPx), std::pow(shareAt(0.25F), speedPx / 0.25F), 0.01F)
+        << "slow movement forgets slowly";
+  }
+  EXPECT_GT(shareAt(0.01F), 0.2F);
+  EXPECT_LT(shareAt(0.25F), 0.01F);
+  EXPECT_FLOAT_EQ(shareAt(0.25F), shareAt(1.0F));
   EXPECT_EQ(doubted.previous(46, 32).l, trusted.previous(46, 32).l) << "it is not changed";
+}
+
+TEST_F(DepthColorsTest, OutliersAreWhatTheFilmHasNotAfterDeepening) {
+  const Exemplar film = filmOf(
+      disc_, 0, [](int) { return 5.0F; }, 8.0F);
+  const DepthColors colors(film.level(0));
+  PreviousRules rules{{8.0F, 2.0F}};
+  rules.filmColors = &colors;
+  rules.outlierSigmas = 2.0F;
+  const TargetLevel doubted = remembering(film, kBorderPx, rules);
+  rules.deepening = 1.0F;
+  const TargetLevel deepened = remembering(film, kBorderPx, rules);
+  EXPECT_GT(deepened.modulation(46, 32), 3.0F * doubted.modulation(46, 32));
+}
+
+TEST_F(DepthColorsTest, BothNeighborsAreDoubtedAlike) {
+  const Exemplar film = filmOf(
+      disc_, 0, [](int) { return 5.0F; }, 8.0F);
+  const DepthColors colors(film.level(0));
+  PreviousRules rules{{8.0F, 2.0F}};
+  rules.filmColors = &colors;
+  rules.outlierSigmas = 2.0F;
+  const test::GrowingDisc disc{Size{72, 64}, {36.0F, 32.0F}, 20.0F, 1.0F, 1};
+  NearestNeighborField field(disc.size);
+  field(46, 32) = {54.0F, 32.0F, 6, Rotation{}};
+  const NearestNeighborField none(disc.size);
+  TargetLevel alone(finestLevel(disc.guides(0)), kBorderPx);
+  setPrevious(film.level(0), kBorderPx, rules, field, alone);
+  ASSERT_GT(alone.modulation(46, 32), 0.0F);
+  for (const bool isBefore : {false, true}) {
+    TargetLevel between(finestLevel(disc.guides(0)), kBorderPx);
+    setBothNeighbors(film.level(0), kBorderPx, rules, isBefore ? field : none,
+                     isBefore ? none : field, between);
+    EXPECT_EQ(between.modulation(46, 32), alone.modulation(46, 32)) << isBefore;
+    EXPECT_EQ(between.previous(46, 32).l, alone.previous(46, 32).l) << isBefore;
+  }
 }
 
 TEST_F(DepthColorsTest, DeviationsAreThoseOfTheFilmAtThatDepth) {

@@ -73,8 +73,8 @@ std::vector<GuideFrame> drawnLine(bool withAges, int frameCount, int holdBegin =
   return guides;
 }
 
-std::vector<Image<Lab>> paint(const Exemplar& exemplar, const std::vector<GuideFrame>& line) {
-  SynthesisOptions options;
+std::vector<Image<Lab>> paint(const Exemplar& exemplar, const std::vector<GuideFrame>& line,
+                              const SynthesisOptions& options = {}) {
   Synthesizer synthesizer(exemplar, options);
   std::vector<Image<Lab>> pictures;
   for (const GuideFrame& frame : line) pictures.push_back(synthesizer.paint(frame));
@@ -123,6 +123,21 @@ TEST(NewMaterial, IsFreshAtTheBrushAndOlderBehindIt) {
   EXPECT_GT(lightness(fresh, 6, 18), lightness(fresh, 66, 78) + 18.0) << "of 40 that the film has";
   EXPECT_GT(correlation(fresh, line.back()), 0.85);
   EXPECT_LT(correlation(plain, line.back()), 0.5);
+}
+
+TEST(NewMaterial, IsSearchedWithTheWideVotesOfTheThesis) {
+  const std::vector<GuideFrame> line = drawnLine(true, 6);
+  const auto last = [&](float optVoteSigmaPx, const std::vector<GuideFrame>& guides, bool aged) {
+    SynthesisOptions options;
+    options.optVoteSigmaPx = optVoteSigmaPx;
+    return std::move(paint(film(aged), guides, options).back());
+  };
+  const auto areEqual = [](const Image<Lab>& a, const Image<Lab>& b) {
+    return std::memcmp(a.data(), b.data(), a.pixelCount() * sizeof(Lab)) == 0;
+  };
+  EXPECT_TRUE(areEqual(last(0.5F, line, true), last(0.0F, line, true)));
+  const std::vector<GuideFrame> plain = drawnLine(false, 6);
+  EXPECT_FALSE(areEqual(last(0.5F, plain, false), last(0.0F, plain, false)));
 }
 
 TEST(NewMaterial, StaysAsItIsInAHold) {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 #include "fluidymation/core/random.h"
@@ -123,6 +123,19 @@ TEST(SeamChanges, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(one.data(), many.data(), one.pixelCount() * sizeof(Float4)), 0);
   }
   omp_set_num_threads(defaultThreads);
+}
+
+TEST(SeamChanges, OfALineAreThoseOfALine) {
+  // A step of 3 between two pixels, each held by its own color: 3 / (1 + 2 w) is what remains
+  for (const bool upright : {false, true}) {
+    WantedSteps steps(upright ? Size{1, 2} : Size{2, 1});
+    (upright ? steps.down : steps.right)(0, 0) = Float4{3.0F, 0.0F, -1.5F, 1.0F};
+    const Image<Float4> changes = seamChanges(steps, 1.0F);
+    const Float4& last = changes(upright ? 0 : 1, upright ? 1 : 0);
+    EXPECT_NEAR(last[0], 1.0F, 0.02F);
+    EXPECT_NEAR(changes(0, 0)[0], -1.0F, 0.02F);
+    EXPECT_NEAR(last[2], -0.5F, 0.02F);
+  }
 }
 
 TEST(SeamChanges, OfASinglePixelAndOfNoneAreNone) {

@@ -15,6 +15,7 @@
 #include "one_frame_exemplar.h"
 #include "support/fixed_point.h"
 #include "support/synthetic_scene.h"
+#include "synthesis/seam_blend.h"
 
 namespace fluidymation {
 namespace {
@@ -157,8 +158,8 @@ TEST(PaintedVote, AWindowThatHasThePixelAtAnotherDepthIsNotTrusted) {
     }
   }
   nnf(24, 10) = {24.0F, 5.0F, 0, Rotation{}};  // 6 px deep, and painted from the rim
-  const auto painted = [&](float depthSigmaPx) {
-    const VoteOptions options{0.05F, Interpolation::kBilinear, depthSigmaPx, 0.0F};
+  const auto painted = [&](float depthSigmaPx, float seamWeight = 0.0F) {
+    const VoteOptions options{0.05F, Interpolation::kBilinear, depthSigmaPx, seamWeight};
     return paintedVote(exemplar.level(0), Mask(nnf.size(), 1), nnf, options, &target.guides);
   };
   const auto colorAt = [&](int x, int y) {
@@ -168,6 +169,10 @@ TEST(PaintedVote, AWindowThatHasThePixelAtAnotherDepthIsNotTrusted) {
   EXPECT_NEAR(painted(0.0F)(24, 10).l, colorAt(24, 5), 1e-2F);
   EXPECT_NEAR(painted(0.5F)(24, 10).l, colorAt(24, 10), 1e-2F);
   EXPECT_NEAR(painted(0.5F)(20, 12).l, colorAt(20, 12), 1e-2F);
+  // Nor are its steps, however large
+  EXPECT_NEAR(painted(0.5F, 1.0F)(24, 10).l, colorAt(24, 10), 0.1F);
+  EXPECT_NEAR(painted(0.5F, 1.0F)(23, 10).l, colorAt(23, 10), 0.1F);
+  EXPECT_GT(std::abs(painted(0.0F, 1.0F)(23, 10).l - colorAt(23, 10)), 0.2F);
 }
 
 TEST(PaintedVote, AWiderWeightLiesBetween) {
@@ -203,9 +208,11 @@ TEST(Vote, AConstantExemplarVotesItsConstant) {
                    {std::cos(angle), std::sin(angle)}};
     }
   }
-  const Image<FixedLab> picture =
-      vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, 0.0F);
-  for (const FixedLab color : picture) expectSame(color, FixedLab::of({40.0F, 5.0F, -7.0F}));
+  for (const float sigmaPx : {0.0F, 0.5F, 100.0F}) {
+    const Image<FixedLab> picture =
+        vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, sigmaPx);
+    for (const FixedLab color : picture) expectSame(color, FixedLab::of({40.0F, 5.0F, -7.0F}));
+  }
 }
 
 TEST(Vote, StaysWithinTheExemplarsExtremes) {
@@ -223,11 +230,13 @@ TEST(Vote, StaysWithinTheExemplarsExtremes) {
                    {0.6F, 0.8F}};
     }
   }
-  const Image<FixedLab> picture =
-      vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, 0.0F);
-  for (const FixedLab voted : picture) {
-    EXPECT_GE(voted.l, FixedLab::of(*low).l);
-    EXPECT_LE(voted.l, FixedLab::of(*high).l);
+  for (const float sigmaPx : {0.0F, 0.5F, 100.0F}) {
+    const Image<FixedLab> picture =
+        vote(exemplar, Image<Segment>(nnf.size(), Segment::kBorder), nnf, sigmaPx);
+    for (const FixedLab voted : picture) {
+      EXPECT_GE(voted.l, FixedLab::of(*low).l);
+      EXPECT_LE(voted.l, FixedLab::of(*high).l);
+    }
   }
 }
 
@@ -289,9 +298,9 @@ class TallVote : public ::testing::Test {
         const double dx = x - nx;
         const double dy = y - ny;
         const double weight =
-            sigmaPx > 0.0
-                ? std::round(256.0 * std::exp(-0.5 * (dx * dx + dy * dy) / (sigmaPx * sigmaPx)))
-                : 1.0;
+            sigmaPx > 0.0 ? std::round(256.0 * std::exp(-0.5 * (dx / sigmaPx * (dx / sigmaPx) +
+                                                                dy / sigmaPx * (dy / sigmaPx))))
+                          : 1.0;
         const double c = match.rotation.cosine;
         const double s = match.rotation.sine;
         const double centreX =
@@ -312,7 +321,7 @@ class TallVote : public ::testing::Test {
 };
 
 TEST_F(TallVote, EqualsASlowDoublePrecisionTwin) {
-  for (const float sigmaPx : {0.0F, 0.35F, 0.5F, 1.0F, 100.0F}) {
+  for (const float sigmaPx : {0.0F, 1e-30F, 0.35F, 0.5F, 1.0F, 100.0F}) {
     SCOPED_TRACE(sigmaPx);
     const Image<FixedLab> picture = vote(exemplar_, segment_, nnf_, sigmaPx);
     ASSERT_EQ(picture.size(), size_);
@@ -343,18 +352,20 @@ bool sameBytes(const Image<FixedLab>& a, const Image<FixedLab>& b) {
 
 TEST_F(TallVote, IsTheSameForAnyNumberOfThreads) {
   const int defaultThreads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const Image<FixedLab> one = vote(exemplar_, segment_, nnf_, 0.0F);
-  for (const int threads : {2, 3, 7}) {
-    omp_set_num_threads(threads);
-    EXPECT_TRUE(sameBytes(vote(exemplar_, segment_, nnf_, 0.0F), one)) << threads;
+  for (const float sigmaPx : {0.0F, 0.5F}) {
+    omp_set_num_threads(1);
+    const Image<FixedLab> one = vote(exemplar_, segment_, nnf_, sigmaPx);
+    for (const int threads : {2, 3, 7}) {
+      omp_set_num_threads(threads);
+      EXPECT_TRUE(sameBytes(vote(exemplar_, segment_, nnf_, sigmaPx), one)) << threads;
+    }
   }
   omp_set_num_threads(defaultThreads);
 }
 
 TEST_F(TallVote, DoesNotDependOnWhereItsBandsAreCut) {
   // Without its first rows the picture is cut elsewhere
-  const Image<FixedLab> whole = vote(exemplar_, segment_, nnf_, 0.0F);
+  const Image<FixedLab> whole = vote(exemplar_, segment_, nnf_, 0.5F);
   for (const int above : {1, 5, 16, 31}) {
     const Size size{size_.width, size_.height - above};
     Image<Segment> segment(size);
@@ -365,7 +376,7 @@ TEST_F(TallVote, DoesNotDependOnWhereItsBandsAreCut) {
         nnf(x, y) = nnf_(x, y + above);
       }
     }
-    const Image<FixedLab> part = vote(exemplar_, segment, nnf, 0.0F);
+    const Image<FixedLab> part = vote(exemplar_, segment, nnf, 0.5F);
     for (int y = kPatchRadius; y < size.height; ++y) {
       ASSERT_EQ(std::memcmp(part.row(y), whole.row(y + above),
                             static_cast<std::size_t>(size.width) * sizeof(FixedLab)),
@@ -455,12 +466,121 @@ TEST_F(Seam, WithinAPieceNothingChanges) {
   EXPECT_EQ(std::memcmp(asSeam.data(), blended.data(), asSeam.pixelCount() * sizeof(Lab)), 0);
 }
 
-TEST_F(Seam, APixelWithoutAMatchIsLeftAsItIs) {
-  for (int y = 0; y < 16; ++y) nnf_(10, y) = Match{};
+TEST_F(Seam, PixelsWithoutAMatchGoAlongWithTheirNeighbours) {
+  // As those of a soft outline, which the windows beside them paint
+  for (int y = 0; y < 16; ++y) nnf_(9, y) = Match{};
   const Image<Lab> asSeam = painted(0.0F);
   const Image<Lab> blended = painted(1.0F);
-  EXPECT_EQ(std::memcmp(asSeam.data(), blended.data(), asSeam.pixelCount() * sizeof(Lab)), 0)
-      << "no step across it is known";
+  for (int y = 0; y < 16; ++y) {
+    EXPECT_EQ(blended(9, y).l, asSeam(9, y).l) << "no step is known to be wrong";
+  }
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      nnf_(x, y) = {static_cast<float>(x < 10 ? x : x + 20), static_cast<float>(y), 0, {}};
+      if (x > 11) nnf_(x, y) = Match{};
+    }
+  }
+  const Image<Lab> rim = painted(0.0F);
+  const Image<Lab> blendedRim = painted(1.0F);
+  const float atSeam = blendedRim(11, 8).l - rim(11, 8).l;
+  const float beyond = blendedRim(12, 8).l - rim(12, 8).l;
+  EXPECT_LT(atSeam, -0.5F);
+  EXPECT_LT(beyond, 0.3F * atSeam);
+  EXPECT_GT(beyond, 1.1F * atSeam);
+}
+
+/// Matches that agree on nothing, and a picture with a hole.
+class ScatteredSeams : public ::testing::Test {
+ protected:
+  using Color = std::array<double, kColorChannels>;
+
+  ScatteredSeams() {
+    for (int y = 4; y < 7; ++y) {
+      for (int x = 5; x < 9; ++x) wanted_(x, y) = 0;
+    }
+  }
+
+  [[nodiscard]] Image<Lab> painted(float seamWeight) const {
+    return paintedVote(exemplar_, wanted_, nnf_,
+                       {0.05F, Interpolation::kBilinear, 0.0F, seamWeight});
+  }
+
+  /// What the window at `centre` shows at `pixel`.
+  [[nodiscard]] Color shown(Pixel centre, Pixel pixel) const {
+    const Match& match = nnf_(centre.x, centre.y);
+    const double dx = pixel.x - centre.x;
+    const double dy = pixel.y - centre.y;
+    const double c = match.rotation.cosine;
+    const double s = match.rotation.sine;
+    Color color{};
+    for (const Channel channel : {kLightness, kGreenRed, kBlueYellow}) {
+      color[static_cast<std::size_t>(channel)] = test::slowSample(
+          exemplar_, 0, match.x + c * dx + s * dy, match.y + c * dy - s * dx, channel);
+    }
+    return color;
+  }
+
+  /// By definition: the larger of both windows' steps, less the one that is there.
+  [[nodiscard]] Float4 wantedStep(Pixel from, Pixel to) const {
+    if (wanted_(from.x, from.y) == 0 || wanted_(to.x, to.y) == 0) return Float4{};
+    Color inOwn{};
+    Color inOther{};
+    double ofOwn = 0.0;
+    double ofOther = 0.0;
+    for (std::size_t c = 0; c < kColorChannels; ++c) {
+      inOwn[c] = shown(from, to)[c] - shown(from, from)[c];
+      inOther[c] = shown(to, to)[c] - shown(to, from)[c];
+      ofOwn += inOwn[c] * inOwn[c];
+      ofOther += inOther[c] * inOther[c];
+    }
+    Float4 step{0.0F, 0.0F, 0.0F, 1.0F};
+    for (std::size_t c = 0; c < kColorChannels; ++c) {
+      const double there = shown(to, to)[c] - shown(from, from)[c];
+      step[c] = static_cast<float>((ofOwn >= ofOther ? inOwn[c] : inOther[c]) - there);
+    }
+    return step;
+  }
+
+  ExemplarLevel exemplar_ = oneFrame(test::randomTexture({20, 16}, 3));
+  NearestNeighborField nnf_ = scattered({14, 12}, {20, 16});
+  Mask wanted_{Size{14, 12}, 1};
+};
+
+TEST_F(ScatteredSeams, AreBlendedTowardsTheLargerOfBothWindowsSteps) {
+  const Size size = nnf_.size();
+  WantedSteps steps(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (x + 1 < size.width) steps.right(x, y) = wantedStep({x, y}, {x + 1, y});
+      if (y + 1 < size.height) steps.down(x, y) = wantedStep({x, y}, {x, y + 1});
+    }
+  }
+  const Image<Float4> changes = seamChanges(steps, 1.0F);
+  const Image<Lab> before = painted(0.0F);
+  const Image<Lab> after = painted(1.0F);
+  double largest = 0.0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const Float4 change = wanted_(x, y) != 0 ? changes(x, y) : Float4{};
+      largest = std::max(largest, std::abs(static_cast<double>(change[0])));
+      EXPECT_NEAR(after(x, y).l - before(x, y).l, change[0], 0.05F) << x << ", " << y;
+      EXPECT_NEAR(after(x, y).a - before(x, y).a, change[1], 0.05F);
+      EXPECT_NEAR(after(x, y).b - before(x, y).b, change[2], 0.05F);
+    }
+  }
+  EXPECT_GT(largest, 3.0);
+}
+
+TEST_F(ScatteredSeams, AreBlendedAlikeByAnyNumberOfThreads) {
+  const int defaultThreads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Image<Lab> one = painted(1.0F);
+  for (const int threads : {2, 3, 7}) {
+    omp_set_num_threads(threads);
+    const Image<Lab> many = painted(1.0F);
+    EXPECT_EQ(std::memcmp(one.data(), many.data(), one.pixelCount() * sizeof(Lab)), 0) << threads;
+  }
+  omp_set_num_threads(defaultThreads);
 }
 
 }  // namespace
