@@ -140,9 +140,9 @@ void addGuides(Table& table) {
                 "frames", ranges::kDepthReaches, "thesis §3.7: 0",
                 [](CommandLine& c) -> int& { return c.options.synthesis.prevDepthReachFrames; });
   table.real("--prev-outlier-sigmas", kGuides,
-             "moving shapes forget colours that are so many standard\n"
-             "deviations off the film's at that depth: 1: more of them;\n"
-             "0: none; not where lines are drawn",
+             "moving shapes forget colours so many standard deviations off\n"
+             "the film's at their depth; smaller: more of them; 0: off, as\n"
+             "always where lines are drawn",
              "", ranges::kOutlierSigmas, "thesis §3.7: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevOutlierSigmas; });
   addBorderWidth(table);
@@ -268,8 +268,8 @@ void addSynthesis(Table& table) {
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.sigmaPx; });
   table.real("--opt-vote-sigma", kSynthesis,
              "while searching, windows this close count most: small finds\n"
-             "more detail, large smoother patches; 0: all alike, as always\n"
-             "where lines are drawn",
+             "more detail, large smoother patches; 0: all count alike;\n"
+             "where lines are drawn they always do",
              "px", ranges::kVoteSigmasPx, "thesis §2.1.2: 0",
              [](CommandLine& c) -> float& { return c.options.synthesis.optVoteSigmaPx; });
   table.word<Interpolation>("--vote-interpolation", kSynthesis,

@@ -189,7 +189,8 @@ float DepthColors::deviations(int k, int edge, const Lab& color) const {
   const float b = color.b - mean.b;
   const float at =
       std::clamp(static_cast<float>(edge) / step_, 0.0F, static_cast<float>(distances_ - 1));
-  return std::sqrt(l * l + a * a + b * b) * perDeviation_[static_cast<std::size_t>(at + 0.5F)];
+  const int nearest = floorToInt(at + 0.5F);
+  return std::sqrt(l * l + a * a + b * b) * perDeviation_[static_cast<std::size_t>(nearest)];
 }
 
 Lab DepthColors::change(int k, int from, int to) const {
