@@ -13,7 +13,8 @@
 namespace fluidymation::cli {
 namespace {
 
-/// Reads all of `text` as one number; nothing for trailing characters, overflow and emptiness.
+/// Reads all of `text` as one number; nothing for trailing characters, overflow and emptiness. -0
+/// is 0: a run goes on only with the values that it began with, as they are written.
 /// std::from_chars and not strtod: a locale with a decimal comma must not change what is read.
 template <typename T>
 [[nodiscard]] std::optional<T> parseWhole(const std::string& text) {
@@ -21,7 +22,7 @@ template <typename T>
   const char* const end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, value);
   if (failure != std::errc{} || stop != end) return std::nullopt;
-  return value;
+  return value == T{} ? T{} : value;
 }
 
 /// As `parseWhole`; nothing also outside `range`. Compared in T, so that 0.9900000001 is 0.99 as a

@@ -6,6 +6,7 @@
 #include <omp.h>
 
 #include <clocale>
+#include <cmath>
 #include <locale>
 #include <set>
 #include <string>
@@ -223,6 +224,12 @@ TEST(CommandLine, RepeatedOptionsAreRefused) {
   EXPECT_EQ(complaint(complete({"--out-path", "x/%d.png"})),
             "--out-path: given 2 times; wanted once");
   EXPECT_EQ(complaint(complete({"--quiet", "--quiet"})), "--quiet: given 2 times; wanted once");
+}
+
+TEST(CommandLine, MinusZeroIsZero) {
+  EXPECT_FALSE(std::signbit(parse(complete({"--lambda=-0"})).options.synthesis.lambda));
+  EXPECT_FALSE(std::signbit(
+      parse(complete({"--seam-blending=-0.0"})).options.synthesis.paintedVote.seamWeight));
 }
 
 TEST(CommandLine, UnknownArgumentsAreNamedWithTheNearestOption) {

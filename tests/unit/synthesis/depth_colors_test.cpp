@@ -200,14 +200,20 @@ TEST_F(DepthColorsTest, ThePreviousPictureFollowsTheDepthAsFarAsTheTargetMoves) 
   }
 }
 
+/// Two standard deviations count in full, and nothing is deepened.
+PreviousRules doubtingRules(const DepthColors& colors) {
+  PreviousRules rules{{8.0F, 2.0F}};
+  rules.filmColors = &colors;
+  rules.outlierSigmas = 2.0F;
+  return rules;
+}
+
 TEST_F(DepthColorsTest, AColourThatTheFilmHardlyHasCountsLessWhereTheTargetMoves) {
   const Exemplar film = filmOf(
       disc_, 0, [](int) { return 5.0F; }, 8.0F);
   const DepthColors colors(film.level(0));
   const PreviousRules trusting{{8.0F, 2.0F}};
-  PreviousRules doubting = trusting;
-  doubting.filmColors = &colors;
-  doubting.outlierSigmas = 2.0F;
+  const PreviousRules doubting = doubtingRules(colors);
   const auto modulation = [](const TargetLevel& level, int x) { return level.modulation(x, 32); };
   const TargetLevel trusted = remembering(film, 1.0F, trusting);
   const TargetLevel doubted = remembering(film, 1.0F, doubting);
@@ -240,9 +246,7 @@ TEST_F(DepthColorsTest, OutliersAreWhatTheFilmHasNotAfterDeepening) {
   const Exemplar film = filmOf(
       disc_, 0, [](int) { return 5.0F; }, 8.0F);
   const DepthColors colors(film.level(0));
-  PreviousRules rules{{8.0F, 2.0F}};
-  rules.filmColors = &colors;
-  rules.outlierSigmas = 2.0F;
+  PreviousRules rules = doubtingRules(colors);
   const TargetLevel doubted = remembering(film, kBorderPx, rules);
   rules.deepening = 1.0F;
   const TargetLevel deepened = remembering(film, kBorderPx, rules);
@@ -253,9 +257,7 @@ TEST_F(DepthColorsTest, BothNeighborsAreDoubtedAlike) {
   const Exemplar film = filmOf(
       disc_, 0, [](int) { return 5.0F; }, 8.0F);
   const DepthColors colors(film.level(0));
-  PreviousRules rules{{8.0F, 2.0F}};
-  rules.filmColors = &colors;
-  rules.outlierSigmas = 2.0F;
+  const PreviousRules rules = doubtingRules(colors);
   const test::GrowingDisc disc{Size{72, 64}, {36.0F, 32.0F}, 20.0F, 1.0F, 1};
   NearestNeighborField field(disc.size);
   field(46, 32) = {54.0F, 32.0F, 6, Rotation{}};
