@@ -9,6 +9,7 @@
 #include "fluidymation/synthesis/depth_fit.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
+#include "fluidymation/synthesis/painted_vote.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
 #include "fluidymation/synthesis/temporal.h"
