@@ -12,7 +12,7 @@
 #include "fluidymation/synthesis/painted_vote.h"
 #include "fluidymation/synthesis/patchmatch.h"
 #include "fluidymation/synthesis/pyramid.h"
-#include "fluidymation/synthesis/temporal.h"
+#include "fluidymation/synthesis/shift.h"
 #include "fluidymation/synthesis/vote.h"
 #include "synthesis/random_passes.h"
 #include "synthesis/timed_stage.h"

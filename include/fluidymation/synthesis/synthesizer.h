@@ -13,10 +13,10 @@
 #include "fluidymation/synthesis/occurrence.h"
 #include "fluidymation/synthesis/painting.h"
 #include "fluidymation/synthesis/patchmatch.h"
+#include "fluidymation/synthesis/previous_picture.h"
 #include "fluidymation/synthesis/stages.h"
 #include "fluidymation/synthesis/synthesis_state.h"
 #include "fluidymation/synthesis/target_level.h"
-#include "fluidymation/synthesis/temporal.h"
 
 namespace fluidymation {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fluidymation/synthesis/channels.h"
+#include "fluidymation/synthesis/previous_picture.h"
 #include "fluidymation/synthesis/synthesizer.h"
-#include "fluidymation/synthesis/temporal.h"
 #include "support/synthetic_scene.h"
 
 namespace fluidymation {

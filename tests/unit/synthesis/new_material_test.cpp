@@ -11,8 +11,8 @@
 #include "fluidymation/core/random.h"
 #include "fluidymation/guides/material_age.h"
 #include "fluidymation/synthesis/patch_distance.h"
+#include "fluidymation/synthesis/shift.h"
 #include "fluidymation/synthesis/synthesizer.h"
-#include "fluidymation/synthesis/temporal.h"
 #include "support/shapes.h"
 
 namespace fluidymation {
