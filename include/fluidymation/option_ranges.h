@@ -43,7 +43,8 @@ inline constexpr Range kWeights{0, 1e6};
 inline constexpr Range kVoteSigmasPx{0, 100};
 inline constexpr Range kSeamWeights{0, 100};  ///< seams of 10 px on either side at 100
 inline constexpr Range kDeepenings{0, 1000};
-inline constexpr Range kOutlierSigmas{0, 1000};
+/// More than the whole drift would be drift the other way.
+inline constexpr Range kColorCorrections{0, 1};
 inline constexpr Range kOccurrenceRadii{0, 1e4};
 inline constexpr Range kDepthReaches{0, 1e4};
 /// The search box shrinks to a pixel in log(side) / -log(alpha) candidates, each a patch distance:

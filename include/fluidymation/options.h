@@ -152,11 +152,11 @@ struct SynthesisOptions {
   /// backwards, to lie as deep inside the mask as its pixel, see `fitDepths`; 0: none, as in the
   /// thesis. Of no account where ages are compared.
   int prevDepthReachFrames = 20;
-  /// Where the target moves, a colour of the previous frame that is further than so many standard
-  /// deviations from the film's mean at its distance to the edge counts less, one deviation further
-  /// 0.6, two 0.14, see `setPrevious`; 0: all count in full, as in the thesis. Of no account where
-  /// ages are compared.
-  float prevOutlierSigmas = 2.0F;
+  /// How much of the drift of colours is undone in each frame where the target moves: of the mean
+  /// difference, at each distance to the edge, between what is remembered of the previous frame and
+  /// the film, see `setPrevious`; in [0, 1]; 0: nothing, as in the thesis. Of no account where ages
+  /// are compared.
+  float prevColorCorrection = 0.5F;
   /// What a match costs none of whose neighbours continues the same patch of the exemplar, in
   /// squares of a colour difference: large structures survive as larger pieces (docs/quality.md).
   /// Coherence in the sense of Hertzmann et al., Image Analogies (2001); the thesis has none.

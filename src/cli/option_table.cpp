@@ -139,12 +139,12 @@ void addGuides(Table& table) {
                 "as deep inside the mask as their pixels; 0: not at all",
                 "frames", ranges::kDepthReaches, "thesis §3.7: 0",
                 [](CommandLine& c) -> int& { return c.options.synthesis.prevDepthReachFrames; });
-  table.real("--prev-outlier-sigmas", kGuides,
-             "moving shapes forget colours so many standard deviations off\n"
-             "the film's at their depth; smaller: more of them; 0: off, as\n"
-             "always where lines are drawn",
-             "", ranges::kOutlierSigmas, "thesis §3.7: 0",
-             [](CommandLine& c) -> float& { return c.options.synthesis.prevOutlierSigmas; });
+  table.real("--prev-color-correction", kGuides,
+             "pulls the mean colours of moving shapes back to the film's, by\n"
+             "this share in each frame; 1: fully, less calm; 0: not at all,\n"
+             "as always where lines are drawn",
+             "", ranges::kColorCorrections, "thesis §3.7: 0",
+             [](CommandLine& c) -> float& { return c.options.synthesis.prevColorCorrection; });
   addBorderWidth(table);
   table.word<ShapeGuide>(
       "--shape-guide", kGuides, "distance: to the edge; blurred: the mask, by the border width",

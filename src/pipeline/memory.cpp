@@ -32,7 +32,7 @@ constexpr double kCandidateGrowthBytes = 4.0;  // a list that grows is there twi
 // Of each frame of the exemplar that is held, its colours by depth (`DepthColors`): on so many
 // levels at most (5 * 2^14 px are more than is read) 64 distances, each with its mean and, of one
 // level at a time, its sums.
-constexpr double kDepthColorBytes = 64.0 * (14.0 * sizeof(Lab) + 5.0 * sizeof(std::int64_t));
+constexpr double kDepthColorBytes = 64.0 * (14.0 * sizeof(Lab) + 4.0 * sizeof(std::int64_t));
 
 // Bytes per pixel of one frame at work. While its guides are made: masks, distances, flows and
 // directions of this frame and the last one, and the solver that spreads flow or normals over the

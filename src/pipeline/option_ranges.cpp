@@ -92,7 +92,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
   check("--prev-deepening", synthesis.prevDeepening, ranges::kDeepenings);
   check("--prev-depth-reach", synthesis.prevDepthReachFrames, ranges::kDepthReaches);
-  check("--prev-outlier-sigmas", synthesis.prevOutlierSigmas, ranges::kOutlierSigmas);
+  check("--prev-color-correction", synthesis.prevColorCorrection, ranges::kColorCorrections);
   check(synthesis.prevModulation);
   check("--opt-vote-sigma", synthesis.optVoteSigmaPx, ranges::kVoteSigmasPx);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);

@@ -125,7 +125,7 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   texts.emplace_back("--prev-weight", numberText(synthesis.prevWeight));
   texts.emplace_back("--prev-deepening", numberText(synthesis.prevDeepening));
   texts.emplace_back("--prev-depth-reach", std::to_string(synthesis.prevDepthReachFrames));
-  texts.emplace_back("--prev-outlier-sigmas", numberText(synthesis.prevOutlierSigmas));
+  texts.emplace_back("--prev-color-correction", numberText(synthesis.prevColorCorrection));
   texts.emplace_back("--shape-guide", word(synthesis.shape.guide));
   texts.emplace_back("--segments", synthesis.shape.hardSegments ? "hard" : "none");
   texts.emplace_back("--thin-parts", word(synthesis.thinParts));

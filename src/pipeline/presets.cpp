@@ -36,7 +36,7 @@ void applyThesisPreset(Options& options) {
   synthesis.prevWeight = 1.0F;
   synthesis.prevDeepening = 0.0F;
   synthesis.prevDepthReachFrames = 0;
-  synthesis.prevOutlierSigmas = 0.0F;
+  synthesis.prevColorCorrection = 0.0F;
   synthesis.coherenceWeight = 0.0F;
   synthesis.temporalCoherence = TemporalCoherence::kForward;
   synthesis.lambda = 2.0F;

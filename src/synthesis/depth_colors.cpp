@@ -28,21 +28,18 @@ struct ColorSum {
   std::int64_t a = 0;
   std::int64_t b = 0;
   std::int64_t count = 0;
-  std::int64_t squares = 0;  ///< of all three channels
 
   void add(const FixedLab& color) {
     l += color.l;
     a += color.a;
     b += color.b;
     ++count;
-    squares += color.l * color.l + color.a * color.a + color.b * color.b;
   }
   void add(const ColorSum& other, std::int64_t weight) {
     l += weight * other.l;
     a += weight * other.a;
     b += weight * other.b;
     count += weight * other.count;
-    squares += weight * other.squares;
   }
 };
 
@@ -57,27 +54,14 @@ Lab meanOf(const ColorSum& near, const ColorSum& all) {
   return {mean(near.l, all.l), mean(near.a, all.a), mean(near.b, all.b)};
 }
 
-/// The sum of the squared differences between the summed colours and `mean`, dE^2.
-double squaresFrom(const Lab& mean, const ColorSum& sum) {
-  constexpr double kUnit = 1.0 / kColorSteps;
-  const double l = mean.l;
-  const double a = mean.a;
-  const double b = mean.b;
-  const double products = l * static_cast<double>(sum.l) + a * static_cast<double>(sum.a) +
-                          b * static_cast<double>(sum.b);
-  return kUnit * (kUnit * static_cast<double>(sum.squares) - 2.0 * products) +
-         static_cast<double>(sum.count) * (l * l + a * a + b * b);
-}
-
 /// Where the exemplar has no pixel of a distance, what the next deeper one has that has any, else
 /// the next less deep one.
-template <typename OfDistance, typename IsGap>
-void fillGaps(std::vector<OfDistance>& all, const IsGap& isGap) {
+void fillGaps(std::vector<ColorSum>& all) {
   for (std::size_t d = all.size() - 1; d-- > 0;) {
-    if (isGap(all[d])) all[d] = all[d + 1];
+    if (all[d].count == 0) all[d] = all[d + 1];
   }
   for (std::size_t d = 1; d < all.size(); ++d) {
-    if (isGap(all[d])) all[d] = all[d - 1];
+    if (all[d].count == 0) all[d] = all[d - 1];
   }
 }
 
@@ -122,30 +106,6 @@ ColorSum sumAround(const std::vector<ColorSum>& sums, int frames, int distances,
   return around;
 }
 
-/// One over the standard deviation of all colours at a distance from their frames' means.
-/// @param means  of each distance, as many as there are sums.
-std::vector<float> inverseDeviations(const std::vector<ColorSum>& sums,
-                                     const std::vector<Lab>& means, std::size_t distances) {
-  constexpr double kLeastDeviation = 1.0;  // dE; less is the noise of the film
-  struct Spread {
-    double squares = 0.0;
-    double count = 0.0;
-  };
-  std::vector<Spread> spreads(distances);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    spreads[i % distances].squares += squaresFrom(means[i], sums[i]);
-    spreads[i % distances].count += static_cast<double>(sums[i].count);
-  }
-  fillGaps(spreads, [](const Spread& spread) { return spread.count == 0.0; });
-  std::vector<float> inverse;
-  for (const Spread& spread : spreads) {
-    const double variance = spread.count > 0.0 ? spread.squares / spread.count : 0.0;
-    inverse.push_back(
-        static_cast<float>(1.0 / std::max(std::sqrt(std::max(variance, 0.0)), kLeastDeviation)));
-  }
-  return inverse;
-}
-
 }  // namespace
 
 DepthColors::DepthColors(const ExemplarLevel& exemplar) {
@@ -159,7 +119,7 @@ DepthColors::DepthColors(const ExemplarLevel& exemplar) {
   const std::vector<ColorSum> sums = sumsOf(exemplar, distances_, step_);
   std::vector<ColorSum> all(distances_);
   for (std::size_t i = 0; i < sums.size(); ++i) all[i % distances_].add(sums[i], 1);
-  fillGaps(all, [](const ColorSum& sum) { return sum.count == 0; });
+  fillGaps(all);
   if (all.front().count == 0) all.assign(distances_, ColorSum{0, 0, 0, 1});  // there is no medium
   colors_.reserve(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -168,10 +128,9 @@ DepthColors::DepthColors(const ExemplarLevel& exemplar) {
     colors_.push_back(
         meanOf(sumAround(sums, frames, static_cast<int>(distances_), k, d), all[i % distances_]));
   }
-  perDeviation_ = inverseDeviations(sums, colors_, distances_);
 }
 
-Lab DepthColors::colorAt(int k, int edge) const {
+Lab DepthColors::mean(int k, int edge) const {
   const float at =
       std::clamp(static_cast<float>(edge) / step_, 0.0F, static_cast<float>(distances_ - 1));
   const std::size_t before = std::min(static_cast<std::size_t>(at), distances_ - 2);
@@ -182,21 +141,10 @@ Lab DepthColors::colorAt(int k, int edge) const {
           outer->b + share * (inner.b - outer->b)};
 }
 
-float DepthColors::deviations(int k, int edge, const Lab& color) const {
-  const Lab mean = colorAt(k, edge);
-  const float l = color.l - mean.l;
-  const float a = color.a - mean.a;
-  const float b = color.b - mean.b;
-  const float at =
-      std::clamp(static_cast<float>(edge) / step_, 0.0F, static_cast<float>(distances_ - 1));
-  const int nearest = floorToInt(at + 0.5F);
-  return std::sqrt(l * l + a * a + b * b) * perDeviation_[static_cast<std::size_t>(nearest)];
-}
-
 Lab DepthColors::change(int k, int from, int to) const {
   if (from == to) return {};
-  const Lab there = colorAt(k, to);
-  const Lab here = colorAt(k, from);
+  const Lab there = mean(k, to);
+  const Lab here = mean(k, from);
   return {there.l - here.l, there.a - here.a, there.b - here.b};
 }
 

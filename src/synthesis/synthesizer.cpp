@@ -145,8 +145,9 @@ void Synthesizer::followFilm() {
 void Synthesizer::studyExemplar() {
   expectedUse_.clear();
   filmColors_.clear();
-  const bool looksAtDepths = (options_.prevDeepening > 0.0F || options_.prevOutlierSigmas > 0.0F) &&
-                             !exemplar_.comparesAges();
+  const bool looksAtDepths =
+      (options_.prevDeepening > 0.0F || options_.prevColorCorrection > 0.0F) &&
+      !exemplar_.comparesAges();
   for (int l = finestOptimized(); l < exemplar_.levelCount(); ++l) {
     expectedUse_.emplace_back(exemplar_.level(l), options_.occRadiusFrames);
     if (looksAtDepths) filmColors_.emplace_back(exemplar_.level(l));
@@ -162,7 +163,7 @@ PreviousRules Synthesizer::previousRules(int level, Size frame) const {
     rules.filmColors = &filmColors_[static_cast<std::size_t>(level - finestOptimized())];
   }
   rules.deepening = options_.prevDeepening;
-  rules.outlierSigmas = options_.prevOutlierSigmas;
+  rules.colorCorrection = options_.prevColorCorrection;
   rules.voteSigmaPx = options_.optVoteSigmaPx;
   return rules;
 }

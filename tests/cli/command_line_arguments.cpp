@@ -63,8 +63,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--prev-deepening", "0.5", [](C c) { return c.options.synthesis.prevDeepening == 0.5F; }},
       {"--prev-depth-reach", "3",
        [](C c) { return c.options.synthesis.prevDepthReachFrames == 3; }},
-      {"--prev-outlier-sigmas", "1.5",
-       [](C c) { return c.options.synthesis.prevOutlierSigmas == 1.5F; }},
+      {"--prev-color-correction", "0.75",
+       [](C c) { return c.options.synthesis.prevColorCorrection == 0.75F; }},
       {"--temporal-coherence", "bidirectional",
        [](C c) {
          return c.options.synthesis.temporalCoherence == TemporalCoherence::kBidirectional;

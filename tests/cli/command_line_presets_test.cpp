@@ -56,7 +56,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.coherenceWeight, 0.0F);
   EXPECT_EQ(all.synthesis.prevDeepening, 0.0F);
   EXPECT_EQ(all.synthesis.prevDepthReachFrames, 0);
-  EXPECT_EQ(all.synthesis.prevOutlierSigmas, 0.0F);
+  EXPECT_EQ(all.synthesis.prevColorCorrection, 0.0F);
   EXPECT_EQ(all.synthesis.optVoteSigmaPx, 0.0F);
   EXPECT_EQ(all.synthesis.searchEffort, SearchEffort::kEverywhere);
   EXPECT_EQ(all.synthesis.prevModulation.upper, 10.0F);
@@ -98,7 +98,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.coherenceWeight, 0.0F);
   EXPECT_EQ(s.prevDeepening, 0.0F);
   EXPECT_EQ(s.prevDepthReachFrames, 0);
-  EXPECT_EQ(s.prevOutlierSigmas, 0.0F);
+  EXPECT_EQ(s.prevColorCorrection, 0.0F);
   EXPECT_EQ(s.optVoteSigmaPx, 0.0F);
   EXPECT_EQ(s.paintedVote.seamWeight, 0.0F);
   EXPECT_EQ(s.lambda, 1.0F);

@@ -241,7 +241,7 @@ TEST(CommandLine, UnknownArgumentsAreNamedWithTheNearestOption) {
             "option --blur: there is no such option; did you mean --blur-sigma?");
   EXPECT_EQ(complaint(complete({"--prev-=1"})),
             "option --prev-: there is no such option; did you mean --prev-weight, "
-            "--prev-deepening, --prev-depth-reach, --prev-outlier-sigmas, "
+            "--prev-deepening, --prev-depth-reach, --prev-color-correction, "
             "--prev-modulation-bounds?");
   EXPECT_EQ(complaint(complete({"-", "x"})), "option -: there is no such option; see --help");
   EXPECT_EQ(complaint(complete({"--brush", "x"})),

@@ -8,10 +8,10 @@
 
 namespace fluidymation {
 
-/// What the exemplar's colours are on average at each distance to the edge, frame by frame, and how
-/// far they spread: how the medium changes at a place that the front passes over. The distance is
-/// told by the edge guide, from the edge to the border width; all that lies deeper is one. Only the
-/// medium counts: outside it is as at its edge.
+/// What the exemplar's colours are on average at each distance to the edge, frame by frame: how
+/// the medium changes at a place that the front passes over. The distance is told by the edge
+/// guide, from the edge to the border width; all that lies deeper is one. Only the medium counts:
+/// outside it is as at its edge.
 ///
 /// Frames are averaged with those near them, distances with those beside them, and where a frame
 /// has few pixels of a distance, the whole exemplar speaks.
@@ -19,24 +19,18 @@ class DepthColors {
  public:
   explicit DepthColors(const ExemplarLevel& exemplar);
 
+  /// The mean colour of frame `k`; between the distances that are told apart it changes linearly.
+  /// @param edge  FixedGuides::edge, any value.
+  [[nodiscard]] Lab mean(int k, int edge) const;
+
   /// By how much colours of frame `k` at `to` differ from those at `from`.
   /// @param from, to  FixedGuides::edge, any values.
   [[nodiscard]] Lab change(int k, int from, int to) const;
 
-  /// How far a colour is from the mean of frame `k` at `edge`, in standard deviations of all
-  /// colours of the exemplar at that distance from their frames' means; the deviation is the root
-  /// of the three channels' summed variances, at least 1 dE.
-  /// @param edge  FixedGuides::edge, any value.
-  [[nodiscard]] float deviations(int k, int edge, const Lab& color) const;
-
  private:
-  /// Between the distances that are told apart; exact at each of them.
-  [[nodiscard]] Lab colorAt(int k, int edge) const;
-
   float step_;  ///< of the edge guide, in its steps, from one distance to the next, from 0 on
   std::size_t distances_;
   std::vector<Lab> colors_;  ///< of each distance, outermost first; one frame after the other
-  std::vector<float> perDeviation_;  ///< of each distance, 1 / dE
 };
 
 }  // namespace fluidymation

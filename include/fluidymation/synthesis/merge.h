@@ -15,7 +15,8 @@ namespace fluidymation {
 /// @param upscaled    matches of the coarser level.
 /// @param downscaled  matches of the previous frame, shifted; same size.
 /// @param target      its `picture` is overwritten; everything else is read, `previous` as the vote
-///   of `downscaled` (`setPrevious`).
+///   of `downscaled` with its colours corrected (`setPrevious`): where they have drifted, a match
+///   of the previous frame pays for it, and the enlarged one wins more easily.
 [[nodiscard]] NearestNeighborField merge(const SearchProblem& problem,
                                          const DistanceWeights& weights,
                                          NearestNeighborField upscaled,

@@ -26,7 +26,7 @@ struct PreviousRules {
   ModulationBoundsPx bounds;
   const DepthColors* filmColors = nullptr;  ///< of the exemplar's level; null: the next two are off
   float deepening = 0.0F;                   ///< see SynthesisOptions::prevDeepening
-  float outlierSigmas = 0.0F;               ///< see SynthesisOptions::prevOutlierSigmas
+  float colorCorrection = 0.0F;             ///< see SynthesisOptions::prevColorCorrection
   float voteSigmaPx = 0.0F;                 ///< see `vote`
 };
 
@@ -37,13 +37,16 @@ struct PreviousRules {
 ///
 /// Material that was painted as a rim and now lies inside would stay as pale as rims are, and
 /// paintings of moving shapes lose their body colours frame by frame (docs/quality.md). Two rules
-/// that the thesis does not have act against it, where the target moves and at pixels with a match
-/// of their own. T^prev is changed as the exemplar's colours do from the depth of the pixel's match
-/// to the pixel's own, in the proportion of what the target moves there in this frame to the border
-/// width, times `deepening`, at most by the whole difference. And a colour that is then, at
-/// that depth, z > outlierSigmas standard deviations from the exemplar's mean counts by
-/// exp(-(z - outlierSigmas)^2 / 2) where the target moves by a quarter of a pixel in this frame or
-/// more, by a root of it where it moves less.
+/// that the thesis does not have act against it where the target moves, one after the other.
+///   1. At pixels with a match of their own, T^prev is changed as the exemplar's colours do from
+///   the
+///      depth of the match to the pixel's, in the proportion of what the target moves there in this
+///      frame to the border width, times `deepening`, at most by the whole difference.
+///   2. From each T^prev `colorCorrection` times the drift at the pixel's depth is taken away: the
+///      mean over the target, each pixel with a match weighted by what it moves, of T^prev less the
+///      exemplar's mean colour at that depth in the frame of the pixel's match (`ColorDrift`). All
+///      pixels of a depth are changed alike, so that the texture stays; less, in proportion, where
+///      the target moves by less than a quarter of a pixel in this frame.
 void setPrevious(const ExemplarLevel& exemplar, float borderWidthPx, const PreviousRules& rules,
                  const NearestNeighborField& shifted, TargetLevel& target);
 
