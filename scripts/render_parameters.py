@@ -31,6 +31,7 @@ PAIRS = {
     "rust-horse": ("rust", "horse", ["--target-scale", "0.4", "--blur-sigma", "2", "--mask-threshold", "0.45",
                                      "--border-width", "8"]),
     "ink-squiggle": ("ink", "squiggle", ["--target-scale", "0.4"]),
+    "ink-genie": ("ink", "genie", ["--src-scale", "0.5", "--target-scale", "0.5"]),
 }
 
 
@@ -70,6 +71,9 @@ STRIPS_TO_MAKE = {
                          "1-40", frames=(40,)),
     "new-material": Strip("ink-squiggle", (["--new-material", "plain"], ["--new-material", "fresh"],
                                            ["--new-material", "plain", "--reverse", "on"]), "1-40", frames=(30,)),
+    # time
+    "prev-color-correction": Strip("ink-genie", values("--prev-color-correction", 0, 0.5, 1), "13-30", frames=(20, 26, 30),
+                                   cut=(0.28, 0.32, 0.7, 1.0)),
     # texture and vote
     "vote-sigma": Strip("rust-horse", values("--vote-sigma", 0.1, 0.35, 3), "1-4", cut=NECK, enlarged=4),
     "seam-blending": Strip("rust-horse", values("--seam-blending", 0, 0.3, 4), "1-4", cut=NECK, enlarged=4),
