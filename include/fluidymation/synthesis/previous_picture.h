@@ -39,9 +39,8 @@ struct PreviousRules {
 /// paintings of moving shapes lose their body colours frame by frame (docs/quality.md). Two rules
 /// that the thesis does not have act against it where the target moves, one after the other.
 ///   1. At pixels with a match of their own, T^prev is changed as the exemplar's colours do from
-///   the
-///      depth of the match to the pixel's, in the proportion of what the target moves there in this
-///      frame to the border width, times `deepening`, at most by the whole difference.
+///      the depth of the match to the pixel's, in the proportion of what the target moves there in
+///      this frame to the border width, times `deepening`, at most by the whole difference.
 ///   2. From each T^prev `colorCorrection` times the drift at the pixel's depth is taken away: the
 ///      mean over the target, each pixel with a match weighted by what it moves, of T^prev less the
 ///      exemplar's mean colour at that depth in the frame of the pixel's match (`ColorDrift`). All
