@@ -167,6 +167,10 @@ struct SynthesisOptions {
   /// What `distWeight` is multiplied by, a channel scale. More than the thesis preset's 1 keeps the
   /// film's colours at the rim (docs/quality.md).
   float edgeGain = 4.0F;
+  /// What `prevWeight` is multiplied by, a channel scale. More than the thesis preset's 1 makes
+  /// fronts move with the material, and costs no colours, which `prevColorCorrection` keeps
+  /// (docs/quality.md).
+  float prevGain = 2.0F;
   ShapeRules shape;
   ModulationBounds prevModulation;
   ThinParts thinParts = ThinParts::kBody;
@@ -182,6 +186,9 @@ struct SynthesisOptions {
   /// smooth patches. Of no account where ages are compared: what is new would look older.
   float optVoteSigmaPx = 0.5F;
   VoteOptions paintedVote;
+  /// How far the finest detail of what is painted is brought to the film's own energy, see
+  /// `restoreDetail`; in [0, 1]; 0: not at all, as in the thesis.
+  float detailRestoration = 1.0F;
   /// Iterations per level, coarsest first, the last value repeats. Defaults of §4.5 (the table of
   /// §4.4.3 has 4, 2, 1 for the optimization).
   std::vector<int> patchmatchIterations = {6, 4};

@@ -285,6 +285,11 @@ void addSynthesis(Table& table) {
              "0: as they are, crisper",
              "", ranges::kSeamWeights, "not in the thesis",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.seamWeight; });
+  table.real("--detail-restoration", kSynthesis,
+             "brings the finest detail to the film's own strength, by this\n"
+             "share; 0: as the search leaves it, softer",
+             "", ranges::kDetailShares, "not in the thesis",
+             [](CommandLine& c) -> float& { return c.options.synthesis.detailRestoration; });
   table.add({"--seed", kSynthesis, "N",
              "another seed, another painting" + facts(std::to_string(SynthesisOptions{}.seed), "",
                                                       "[0, 2^64 - 1]", "not in the thesis"),

@@ -51,8 +51,14 @@ constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
 // And while the picture is painted, with --seam-blending 0 or not: the steps wanted across seams,
-// and the changes they make.
+// and the changes they make; then, with --detail-restoration 0 or not, the bands of its detail,
+// with a mask and a channel, each as it is, blurred twice, and once on the way to that.
 constexpr double kSeamBytes = 3.0 * 16.0;
+constexpr double kBandBytes = 2.0 * sizeof(Lab) + 7.0 * sizeof(float);
+constexpr double kPictureBytes = std::max(kSeamBytes, kBandBytes + sizeof(std::uint8_t));
+// The same of a frame of the film, with its picture, its mask and distances, whole and cut out.
+constexpr double kFilmDetailBytes =
+    kBandBytes + sizeof(Lab) + 2.0 * (sizeof(std::uint8_t) + sizeof(float));
 
 // Of a frame that waits for its turn: its mask, and per mask pixel its flow, every so many frames
 // the motion still to come, and of anti-aliased masks the outline, with at most two crossings a
@@ -239,7 +245,8 @@ std::int64_t bytesOfRun(const RunSize& run) {
       pixels(run.exemplar) * kReadingBytes + decodingBytes(run, run.exemplar), guiding(film));
   const double reading =
       exemplar + (moves ? 0.0 : exemplarVolume * kPyramidFactor * kExtentBytes) + filmFrame;
-  const double searching = pixels(run.target) * (kPaintingBytes + kSeamBytes + ownBytes);
+  const double searching = pixels(run.target) * (kPaintingBytes + kPictureBytes + ownBytes) +
+                           pixels(run.exemplar) * kFilmDetailBytes;
   const double pixelBytes = run.bitDepth == BitDepth::k8 ? sizeof(Rgba8) : sizeof(Rgba16);
   const double writing = pixels(run.target) * (kWritingBytes + kFilesPerWriting * pixelBytes +
                                                (run.hasBackground ? 0.0 : kMarginBytes) +

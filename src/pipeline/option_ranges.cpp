@@ -87,6 +87,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--dist-weight", synthesis.distWeight, ranges::kWeights);
   check("depthSigmaPx", synthesis.paintedVote.depthSigmaPx, ranges::kVoteSigmasPx);  // no option
   check("edgeGain", synthesis.edgeGain, ranges::kWeights);  // has no option
+  check("prevGain", synthesis.prevGain, ranges::kWeights);  // nor has this
   check("--flow-weight", synthesis.flowWeight, ranges::kWeights);
   check("--dir-weight", synthesis.dirWeight, ranges::kWeights);
   check("--prev-weight", synthesis.prevWeight, ranges::kWeights);
@@ -97,6 +98,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--opt-vote-sigma", synthesis.optVoteSigmaPx, ranges::kVoteSigmasPx);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--seam-blending", synthesis.paintedVote.seamWeight, ranges::kSeamWeights);
+  check("--detail-restoration", synthesis.detailRestoration, ranges::kDetailShares);
   check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);
   check("--lambda", synthesis.lambda, ranges::kWeights);
   check("--occ-radius", synthesis.occRadiusFrames, ranges::kOccurrenceRadii);

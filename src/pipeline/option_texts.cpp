@@ -20,6 +20,7 @@ namespace {
       bounds.unit == ModulationUnit::kPixels ||
       (bounds.unit == wanted.unit && bounds.upper == wanted.upper && bounds.lower == wanted.lower);
   return haveBounds && synthesis.edgeGain == preset.synthesis.edgeGain &&
+         synthesis.prevGain == preset.synthesis.prevGain &&
          synthesis.paintedVote.depthSigmaPx == preset.synthesis.paintedVote.depthSigmaPx &&
          synthesis.shape.modulation == preset.synthesis.shape.modulation;
 }
@@ -37,6 +38,7 @@ namespace {
   const ModulationBounds& bounds = synthesis.prevModulation;
   const bool clamped = synthesis.shape.modulation == ModulationDistance::kClamped;
   std::string text = "edge gain " + numberText(synthesis.edgeGain);
+  text += ", gain of the previous frame " + numberText(synthesis.prevGain);
   text += ", vote depth sigma " + numberText(synthesis.paintedVote.depthSigmaPx);
   if (!clamped) text += ", modulation unclamped";
   if (bounds.unit == ModulationUnit::kBorderWidths) {
@@ -150,6 +152,7 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   texts.emplace_back("--vote-sigma", numberText(synthesis.paintedVote.sigmaPx));
   texts.emplace_back("--vote-interpolation", word(synthesis.paintedVote.interpolation));
   texts.emplace_back("--seam-blending", numberText(synthesis.paintedVote.seamWeight));
+  texts.emplace_back("--detail-restoration", numberText(synthesis.detailRestoration));
   texts.emplace_back("--seed", std::to_string(synthesis.seed));
 }
 

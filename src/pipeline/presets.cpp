@@ -45,6 +45,7 @@ void applyThesisPreset(Options& options) {
   synthesis.shape = {ShapeGuide::kEdgeDistance, true, ModulationDistance::kClamped};
   synthesis.prevModulation = {10.0F, 2.0F, ModulationUnit::kPixels};
   synthesis.edgeGain = 1.0F;
+  synthesis.prevGain = 1.0F;
   synthesis.patchmatchIterations = {6, 4};
   synthesis.optIterations = {4, 3, 2};
   synthesis.searchEffort = SearchEffort::kEverywhere;
@@ -56,6 +57,7 @@ void applyThesisPreset(Options& options) {
   synthesis.finestLevel = FinestLevel::kUpscaled;
   synthesis.optVoteSigmaPx = 0.0F;
   synthesis.paintedVote = {0.0F, Interpolation::kBilinear, 0.0F, 0.0F};
+  synthesis.detailRestoration = 0.0F;
 }
 
 void applyPaperPreset(Options& options) {
@@ -79,12 +81,14 @@ void applyCrispPreset(Options& options) {
   // A window's own pixel alone: narrower changes nothing any more.
   options.synthesis.paintedVote.sigmaPx = 0.25F;
   options.synthesis.paintedVote.seamWeight = 0.0F;
+  options.synthesis.detailRestoration = 0.0F;  // may have more than the film
   options.synthesis.coherenceWeight = 32.0F;
 }
 
 void applyCalmPreset(Options& options) {
   applyStandardPreset(options);
   options.synthesis.paintedVote.sigmaPx = 0.5F;
+  options.synthesis.detailRestoration = 0.0F;  // would sharpen what is to be soft
   options.synthesis.temporalCoherence = TemporalCoherence::kBidirectional;
 }
 

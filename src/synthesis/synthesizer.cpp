@@ -197,9 +197,13 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
 }
 
 Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
-                                       const NearestNeighborField& nnf) const {
-  return paintedVote(exemplar_.level(0), paintedPixels(guides), nnf, options_.paintedVote,
-                     &finest.guides);
+                                       const NearestNeighborField& nnf) {
+  const Mask painted = paintedPixels(guides);
+  Image<Lab> picture =
+      paintedVote(exemplar_.level(0), painted, nnf, options_.paintedVote, &finest.guides);
+  restoreDetail(exemplar_, filmDetail_, nnf, painted, guides.distance, options_.detailRestoration,
+                picture);
+  return picture;
 }
 
 Painting Synthesizer::painting() const {
@@ -223,7 +227,7 @@ SearchProblem Synthesizer::problemOf(const Work& work, int level, const TargetLe
 
 DistanceWeights Synthesizer::weights() const {
   return {options_.texWeight, options_.edgeGain * options_.distWeight, options_.flowWeight,
-          options_.prevWeight, options_.dirWeight};
+          options_.prevGain * options_.prevWeight, options_.dirWeight};
 }
 
 SynthesisState Synthesizer::state() const {

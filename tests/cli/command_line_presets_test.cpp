@@ -53,6 +53,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(all.synthesis.extentUnit, ExtentUnit::kPixels);
   EXPECT_FALSE(all.synthesis.carriesMotion);
   EXPECT_EQ(all.synthesis.edgeGain, 1.0F);
+  EXPECT_EQ(all.synthesis.prevGain, 1.0F);
   EXPECT_EQ(all.synthesis.coherenceWeight, 0.0F);
   EXPECT_EQ(all.synthesis.prevDeepening, 0.0F);
   EXPECT_EQ(all.synthesis.prevDepthReachFrames, 0);
@@ -66,6 +67,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(thesis.sigmaPx, 0.0F);
   EXPECT_EQ(thesis.depthSigmaPx, 0.0F);
   EXPECT_EQ(thesis.seamWeight, 0.0F);
+  EXPECT_EQ(all.synthesis.detailRestoration, 0.0F);
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
   EXPECT_NE(standard.sigmaPx, 0.0F);
@@ -101,6 +103,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.prevColorCorrection, 0.0F);
   EXPECT_EQ(s.optVoteSigmaPx, 0.0F);
   EXPECT_EQ(s.paintedVote.seamWeight, 0.0F);
+  EXPECT_EQ(s.detailRestoration, 0.0F);
   EXPECT_EQ(s.lambda, 1.0F);
   EXPECT_EQ(s.prevModulation.upper, 0.1F);
   EXPECT_EQ(s.prevModulation.lower, 0.01F);
@@ -114,6 +117,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   // What the paper leaves open is as in the thesis
   EXPECT_EQ(o.blurSigmaPx, 8.0F);
   EXPECT_EQ(s.edgeGain, 1.0F);
+  EXPECT_EQ(s.prevGain, 1.0F);
   EXPECT_EQ(s.thinParts, ThinParts::kFringe);
   EXPECT_FALSE(s.carriesMotion);
   EXPECT_EQ(o.motionModel, MotionModel::kNormals);
@@ -132,10 +136,14 @@ TEST(CommandLine, LooksChangeTheStandardOneAndNothingElse) {
   crisp.synthesis.paintedVote.sigmaPx = standard.synthesis.paintedVote.sigmaPx;
   crisp.synthesis.paintedVote.seamWeight = standard.synthesis.paintedVote.seamWeight;
   crisp.synthesis.coherenceWeight = standard.synthesis.coherenceWeight;
+  EXPECT_EQ(crisp.synthesis.detailRestoration, 0.0F);
+  crisp.synthesis.detailRestoration = standard.synthesis.detailRestoration;
   EXPECT_EQ(shapingOptions(crisp), shapingOptions(standard));
   Options calm = parse(complete({"--preset", "calm", "--vote-sigma", "0.35"})).options;
   EXPECT_EQ(calm.synthesis.temporalCoherence, TemporalCoherence::kBidirectional);
   calm.synthesis.temporalCoherence = TemporalCoherence::kForward;
+  EXPECT_EQ(calm.synthesis.detailRestoration, 0.0F);
+  calm.synthesis.detailRestoration = standard.synthesis.detailRestoration;
   EXPECT_EQ(shapingOptions(calm), shapingOptions(standard));
 }
 

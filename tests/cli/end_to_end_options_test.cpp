@@ -50,7 +50,7 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--new-material", "fresh"},
       {"--border-width", "2"},
       {"--prev-modulation-bounds", "0.5,0.25"},
-      {"--lambda", "0"},
+      {"--lambda", "50"},
       {"--patchmatch-alpha", "0.3"},
       {"--patchmatch-iterations", "1"},
       {"--opt-iterations", "1"},
@@ -67,6 +67,10 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
   const Painting standardUses = scene.painting(uniform);
   uniform["--occ-radius"] = "0";
   EXPECT_TRUE(scene.painting(uniform) != standardUses);
+
+  // The film's detail is known where there are pixels enough
+  const SmallScene larger(2, {64, 56}, {60, 56});
+  EXPECT_TRUE(larger.painting({{"--detail-restoration", "0"}}) != larger.painting({}));
 }
 
 TEST(EndToEndFrames, TheCompressionLevelChangesTheFilesAndNoPixel) {
@@ -138,6 +142,7 @@ TEST(EndToEndFrames, OptionsWithTheirDefaultsChangeNothing) {
                        {"--prev-color-correction", "0.5"},
                        {"--opt-vote-sigma", "0.5"},
                        {"--seam-blending", "0.3"},
+                       {"--detail-restoration", "1"},
                        {"--new-material", "auto"},
                        {"--lambda", "2"},
                        {"--occ-radius", "10"},
@@ -201,6 +206,7 @@ TEST(EndToEndFrames, ValuesOutOfRangeAreWrongUsage) {
       {"--prev-color-correction", {"-0.1", "1.01", "nan"}},
       {"--opt-vote-sigma", {"-0.5", "101"}},
       {"--seam-blending", {"-1", "101"}},
+      {"--detail-restoration", {"-0.1", "1.01", "nan"}},
       {"--lambda", {"-2", "0x10"}},
       {"--occ-radius", {"-1", "0.5"}},
       {"--patchmatch-alpha", {"0", "1", "nan"}},

@@ -79,7 +79,8 @@ TEST(OptionTexts, TellAMixtureThatNoPresetHas) {
   Options options = parse(complete({"--preset", "paper"})).options;
   options.synthesis.edgeGain = 2.0F;
   EXPECT_EQ(shapingOptions(options).front().second,
-            "edge gain 2, vote depth sigma 0, modulation unclamped, bounds 0.1,0.01 target sides");
+            "edge gain 2, gain of the previous frame 1, vote depth sigma 0, modulation unclamped, "
+            "bounds 0.1,0.01 target sides");
 }
 
 }  // namespace

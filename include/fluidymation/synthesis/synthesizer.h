@@ -8,6 +8,7 @@
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/options.h"
 #include "fluidymation/synthesis/depth_colors.h"
+#include "fluidymation/synthesis/detail_restoration.h"
 #include "fluidymation/synthesis/exemplar.h"
 #include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/occurrence.h"
@@ -104,7 +105,7 @@ class Synthesizer {
 
   /// The picture that matches give the part `guides` of a frame.
   [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
-                                          const NearestNeighborField& nnf) const;
+                                          const NearestNeighborField& nnf);
 
   /// Goes by what the exemplar holds now, where it has advanced.
   void followFilm();
@@ -165,6 +166,7 @@ class Synthesizer {
   std::vector<ExpectedUse> expectedUse_;  ///< from `finestOptimized` on
   std::vector<DepthColors> filmColors_;   ///< likewise; empty where they are not wanted
   std::vector<SearchMemory> memory_;      ///< likewise; scratch
+  FilmDetail filmDetail_;
 
   // Of the frame painted last, as far as it lies in `box_`, a box round its mask: all other pixels
   // are left out of all work.

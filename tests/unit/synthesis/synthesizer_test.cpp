@@ -209,6 +209,8 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   differs("prev-weight", [](SynthesisOptions& o) { o.prevWeight = 0.0F; });
   differs("prev-deepening", [](SynthesisOptions& o) { o.prevDeepening = 2.5F; });
   differs("coherence-weight", [](SynthesisOptions& o) { o.coherenceWeight = 100.0F; });
+  differs("detail-restoration", [](SynthesisOptions& o) { o.detailRestoration = 1.0F; });
+  differs("prevGain", [](SynthesisOptions& o) { o.prevGain = 2.0F; });
   differs("lambda", [](SynthesisOptions& o) { o.lambda = 0.0F; });
   differs("occ-radius", [](SynthesisOptions& o) { o.occRadiusFrames = 0; });
   differs("patchmatch-alpha", [](SynthesisOptions& o) { o.patchmatchAlpha = 0.5F; });
