@@ -75,8 +75,8 @@ STRIPS_TO_MAKE = {
     "prev-color-correction": Strip("ink-genie", values("--prev-color-correction", 0, 0.5, 1), "13-30", frames=(20, 26, 30),
                                    cut=(0.28, 0.32, 0.7, 1.0)),
     # texture and vote
-    "vote-sigma": Strip("rust-horse", values("--vote-sigma", 0.1, 0.35, 3), "1-4", cut=NECK, enlarged=4),
-    "seam-blending": Strip("rust-horse", values("--seam-blending", 0, 0.3, 4), "1-4", cut=NECK, enlarged=4),
+    "vote-sigma": Strip("rust-horse", tuple([*one, "--detail-restoration", "0"] for one in values("--vote-sigma", 0.1, 0.35, 3)), "1-4", cut=NECK, enlarged=4),
+    "seam-blending": Strip("rust-horse", tuple([*one, "--detail-restoration", "0"] for one in values("--seam-blending", 0, 0.3, 4)), "1-4", cut=NECK, enlarged=4),
     "detail-restoration": Strip("ink-horse", values("--detail-restoration", 0, 0.5, 1), "1-4", cut=NECK, enlarged=4),
     "opt-vote-sigma": Strip("rust-horse", values("--opt-vote-sigma", 0, 0.35, 0.5), "1-4", cut=NECK, enlarged=4),
     "coherence-weight": Strip("rust-horse", values("--coherence-weight", 0, 8, 200), "1-4", cut=NECK, enlarged=4),

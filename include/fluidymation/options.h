@@ -168,8 +168,8 @@ struct SynthesisOptions {
   /// film's colours at the rim (docs/quality.md).
   float edgeGain = 4.0F;
   /// What `prevWeight` is multiplied by, a channel scale. More than the thesis preset's 1 makes
-  /// fronts move with the material, and costs no colours, which `prevColorCorrection` keeps
-  /// (docs/quality.md).
+  /// fronts move more with the material, and costs little colour where `prevColorCorrection` keeps
+  /// it (docs/quality.md).
   float prevGain = 2.0F;
   ShapeRules shape;
   ModulationBounds prevModulation;

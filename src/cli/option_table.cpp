@@ -27,8 +27,9 @@ constexpr const char* kSizeWord = "size";  ///< of --border-width: by the film's
 /// Applied before the options that it sets: those given besides replace what it says.
 void addLook(Table& table) {
   table.add({"--preset", kLook, "NAME",
-             "standard: the best we know; crisp: more detail; calm: less\nflicker, slower; thesis, "
-             "paper: their numbers and rules,\nwhatever the defaults; what else is given prevails\n"
+             "standard: the best we know; crisp: larger, harder pieces of\nthe film; calm: softer, "
+             "less flicker, slower;\nthesis, paper: their numbers and rules, whatever "
+             "the\ndefaults; what else is given prevails\n"
              "(default standard; thesis §4.5, paper table 1)",
              false,
              [](CommandLine& line, const std::string& value) {
@@ -126,8 +127,10 @@ void addGuides(Table& table) {
   table.real("--dir-weight", kGuides, "weight of the directions of motion within a window", "",
              ranges::kWeights, "thesis §3.6, paper §3.2: 1",
              [](CommandLine& c) -> float& { return c.options.synthesis.dirWeight; });
-  table.real("--prev-weight", kGuides, "weight of the previous frame", "", ranges::kWeights,
-             "thesis §3.7",
+  table.real("--prev-weight", kGuides,
+             "weight of the previous frame; twice that of the thesis' and\n"
+             "paper's presets",
+             "", ranges::kWeights, "thesis §3.7",
              [](CommandLine& c) -> float& { return c.options.synthesis.prevWeight; });
   table.real("--prev-deepening", kGuides,
              "keeps the body colours of moving shapes, with the two\n"
@@ -282,12 +285,12 @@ void addSynthesis(Table& table) {
                             });
   table.real("--seam-blending", kSynthesis,
              "softens the seams where pieces of the film meet; 2: softer;\n"
-             "0: as they are, crisper",
+             "0: as they are, harder",
              "", ranges::kSeamWeights, "not in the thesis",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.seamWeight; });
   table.real("--detail-restoration", kSynthesis,
              "brings the finest detail to the film's own strength, by this\n"
-             "share; 0: as the search leaves it, softer",
+             "share; 0: as it was painted, mostly softer",
              "", ranges::kDetailShares, "not in the thesis",
              [](CommandLine& c) -> float& { return c.options.synthesis.detailRestoration; });
   table.add({"--seed", kSynthesis, "N",

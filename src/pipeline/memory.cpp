@@ -51,8 +51,8 @@ constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
 // And while the picture is painted, with --seam-blending 0 or not: the steps wanted across seams,
-// and the changes they make; then, with --detail-restoration 0 or not, the bands of its detail,
-// with a mask and a channel, each as it is, blurred twice, and once on the way to that.
+// and the changes they make; then, with --detail-restoration 0 or not, both bands of its detail,
+// and of a mask and of a channel the values and two blurs, and a blur that is half done.
 constexpr double kSeamBytes = 3.0 * 16.0;
 constexpr double kBandBytes = 2.0 * sizeof(Lab) + 7.0 * sizeof(float);
 constexpr double kPictureBytes = std::max(kSeamBytes, kBandBytes + sizeof(std::uint8_t));

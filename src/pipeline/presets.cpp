@@ -81,7 +81,6 @@ void applyCrispPreset(Options& options) {
   // A window's own pixel alone: narrower changes nothing any more.
   options.synthesis.paintedVote.sigmaPx = 0.25F;
   options.synthesis.paintedVote.seamWeight = 0.0F;
-  options.synthesis.detailRestoration = 0.0F;  // may have more than the film
   options.synthesis.coherenceWeight = 32.0F;
 }
 

@@ -22,6 +22,7 @@ Image<float> ofMask(const Mask& mask) {
 }  // namespace
 
 DetailBands detailBands(const Image<Lab>& picture, const Mask& mask) {
+  static_assert(kDetailSigmasPx.size() == 2);
   assert(picture.size() == mask.size());
   DetailBands bands;
   for (Image<Lab>& band : bands) band = Image<Lab>(picture.size());

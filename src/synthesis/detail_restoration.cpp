@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fluidymation/core/box.h"
-#include "fluidymation/core/frame_part.h"
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/distance_field.h"
 #include "fluidymation/guides/gaussian.h"
@@ -19,6 +18,7 @@ namespace fluidymation {
 namespace {
 
 constexpr std::size_t kBands = kDetailSigmasPx.size();
+static_assert(kDetailDepths[kFirstInsideClass - 1] == 1.0F);
 /// A class of a frame that has fewer pixels does not speak for it.
 constexpr std::int64_t kFewestPixels = 50;
 /// Over so many pixels of depth the rim's gain becomes the inside's.
@@ -33,8 +33,7 @@ DetailEnergy energyOfFilm(const ExemplarLevel& film, int k) {
   });
   const Image<float> depthPx = signedDistance(mask);
   const Box whole{0, 0, mask.width(), mask.height()};
-  const Box box =
-      grown(boundingBox(mask), gaussianReach(kDetailSigmasPx.back()), mask.size());
+  const Box box = grown(boundingBox(mask), gaussianReach(kDetailSigmasPx.back()), mask.size());
   Image<Lab> picture(box.size());
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
@@ -83,10 +82,11 @@ std::array<float, kBands> gainsOf(const PartEnergy& wanted, const PartEnergy& pa
   for (std::size_t band = 0; band < kBands; ++band) {
     const double has = painted.squares[band] / painted.pixels;
     if (!(has > 0.0)) continue;
-    const double gain = std::sqrt(wanted.squares[band] / wanted.pixels / has);
+    const double gain =
+        std::clamp(std::sqrt(wanted.squares[band] / wanted.pixels / has),
+                   static_cast<double>(kLeastDetailGain), static_cast<double>(kMostDetailGain));
     const double trust = painted.pixels / (painted.pixels + static_cast<double>(kFewestPixels));
-    gains[band] = std::clamp(static_cast<float>(1.0 + trust * (gain - 1.0)), kLeastDetailGain,
-                             kMostDetailGain);
+    gains[band] = static_cast<float>(1.0 + trust * (gain - 1.0));
   }
   return gains;
 }
@@ -109,17 +109,14 @@ std::vector<std::array<std::int64_t, kDetailClasses>> usesOf(const NearestNeighb
 }  // namespace
 
 const DetailEnergy& FilmDetail::of(const Exemplar& exemplar, int k) {
-  const int inFilm = exemplar.firstFrame() + k;
-  const int known = std::max(inFilm - inFilm % kDetailEvery, exemplar.firstFrame());
-  const auto found = known_.find(known);
+  const auto found = known_.find(exemplar.firstFrame() + k);
   if (found != known_.end()) return found->second;
-  return known_.emplace(known, energyOfFilm(exemplar.level(0), known - exemplar.firstFrame()))
+  return known_.emplace(exemplar.firstFrame() + k, energyOfFilm(exemplar.level(0), k))
       .first->second;
 }
 
-DetailGains detailGains(const Exemplar& exemplar, FilmDetail& film,
-                        const NearestNeighborField& nnf, const Image<float>& depthPx,
-                        const DetailEnergy& painted) {
+DetailGains detailGains(const Exemplar& exemplar, FilmDetail& film, const NearestNeighborField& nnf,
+                        const Image<float>& depthPx, const DetailEnergy& painted) {
   const ExemplarLevel& finest = exemplar.level(0);
   const auto uses = usesOf(nnf, depthPx, finest.borderWidthPx(), finest.frameCount());
   struct Part {
@@ -132,15 +129,15 @@ DetailGains detailGains(const Exemplar& exemplar, FilmDetail& film,
   };
   for (std::size_t k = 0; k < uses.size(); ++k) {
     for (std::size_t c = 0; c < kDetailClasses; ++c) {
-      if (uses[k][c] == 0) continue;
+      if (uses[k][c] == 0 || painted.pixels(c) == 0) continue;
+      const auto pixels = static_cast<double>(uses[k][c]);
       const DetailEnergy& energy = film.of(exemplar, static_cast<int>(k));
       const auto known = nearestKnown(energy, c);
-      if (known) partOf(c).wanted.add(energy, *known, static_cast<double>(uses[k][c]));
+      if (!known) continue;
+      // Either side has the same pixels, or else depths would be compared with others
+      partOf(c).wanted.add(energy, *known, pixels);
+      partOf(c).painted.add(painted, c, pixels);
     }
-  }
-  for (std::size_t c = 0; c < kDetailClasses; ++c) {
-    if (painted.pixels(c) == 0) continue;
-    partOf(c).painted.add(painted, c, static_cast<double>(painted.pixels(c)));
   }
   return {gainsOf(parts[0].wanted, parts[0].painted), gainsOf(parts[1].wanted, parts[1].painted)};
 }
@@ -152,8 +149,8 @@ void restoreDetail(const Exemplar& exemplar, FilmDetail& film, const NearestNeig
   if (share == 0.0F) return;
   const float borderWidthPx = exemplar.level(0).borderWidthPx();
   const DetailBands bands = detailBands(picture, mask);
-  const DetailGains gains = detailGains(exemplar, film, nnf, depthPx,
-                                        detailEnergy(bands, depthPx, borderWidthPx));
+  const DetailGains gains =
+      detailGains(exemplar, film, nnf, depthPx, detailEnergy(bands, depthPx, borderWidthPx));
   forEachRow(picture.height(), [&](int y) {
     for (int x = 0; x < picture.width(); ++x) {
       if (mask(x, y) == 0) continue;

@@ -198,11 +198,10 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
 
 Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
                                        const NearestNeighborField& nnf) {
-  const Mask painted = paintedPixels(guides);
-  Image<Lab> picture =
-      paintedVote(exemplar_.level(0), painted, nnf, options_.paintedVote, &finest.guides);
-  restoreDetail(exemplar_, filmDetail_, nnf, painted, guides.distance, options_.detailRestoration,
-                picture);
+  Image<Lab> picture = paintedVote(exemplar_.level(0), paintedPixels(guides), nnf,
+                                   options_.paintedVote, &finest.guides);
+  restoreDetail(exemplar_, filmDetail_, nnf, guides.mask, guides.distance,
+                options_.detailRestoration, picture);
   return picture;
 }
 

@@ -136,8 +136,6 @@ TEST(CommandLine, LooksChangeTheStandardOneAndNothingElse) {
   crisp.synthesis.paintedVote.sigmaPx = standard.synthesis.paintedVote.sigmaPx;
   crisp.synthesis.paintedVote.seamWeight = standard.synthesis.paintedVote.seamWeight;
   crisp.synthesis.coherenceWeight = standard.synthesis.coherenceWeight;
-  EXPECT_EQ(crisp.synthesis.detailRestoration, 0.0F);
-  crisp.synthesis.detailRestoration = standard.synthesis.detailRestoration;
   EXPECT_EQ(shapingOptions(crisp), shapingOptions(standard));
   Options calm = parse(complete({"--preset", "calm", "--vote-sigma", "0.35"})).options;
   EXPECT_EQ(calm.synthesis.temporalCoherence, TemporalCoherence::kBidirectional);

@@ -133,6 +133,32 @@ TEST_F(SourceWindow, PartsAreThoseOfTheWhole) {
   }
 }
 
+/// Large enough for the film's detail to be known, of frames that are held no more as well.
+TEST(SourceWindowOfALargerScene, PartsAreThoseOfTheWhole) {
+  constexpr int kLargerFrames = 5;
+  const SmallScene scene(12, {64, 56}, {60, 56});
+  const auto with = [](ToolOptions more) {
+    more.insert({{"--src-window", std::to_string(kWindow)},
+                 {"--checkpoint-every", "1"},
+                 {"--src-frames", "12"},
+                 {"--target-frames", std::to_string(kLargerFrames)}});
+    return more;
+  };
+  const Painting expected = scene.painting(with({}));
+  EXPECT_FALSE(scene.painting(with({{"--detail-restoration", "0"}})) == expected);
+  for (int end = 1; end < kLargerFrames; ++end) {
+    SCOPED_TRACE(end);
+    scene.remove("out");
+    for (const std::string& part :
+         {"1-" + std::to_string(end),
+          std::to_string(end + 1) + "-" + std::to_string(kLargerFrames)}) {
+      const ProcessResult result = scene.paint(quietly(with({{"--render-frames", part}})));
+      EXPECT_EQ(result.exitCode, 0) << result.err;
+    }
+    EXPECT_TRUE(filesOf(scene.file("out")) == expected);
+  }
+}
+
 TEST_F(SourceWindow, IsPartOfWhatARunIs) {
   (void)painted({{"--render-frames", "1-3"}});
   const ProcessResult result =

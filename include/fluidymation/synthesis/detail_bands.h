@@ -23,13 +23,14 @@ using DetailBands = std::array<Image<Lab>, kDetailSigmasPx.size()>;
 [[nodiscard]] DetailBands detailBands(const Image<Lab>& picture, const Mask& mask);
 
 /// Upper bounds of the classes of depth below, border widths; the last class has none. A medium's
-/// detail changes most where its rim ends, and in its middle hardly.
-inline constexpr std::array<float, 9> kDetailDepths{0.4F,  0.6F, 0.8F, 1.0F, 1.35F,
+/// detail changes most where its rim ends, and hardly in its middle.
+inline constexpr std::array<float, 9> kDetailDepths{0.4F, 0.6F, 0.8F, 1.0F, 1.35F,
                                                     1.8F, 2.5F, 3.5F, 5.0F};
 inline constexpr std::size_t kDetailClasses = kDetailDepths.size() + 1;
 /// The classes before this one are the rim, the others the inside.
 inline constexpr std::size_t kFirstInsideClass = 4;
-/// What lies less deep is the edge itself, px: its steps are no detail of the medium.
+/// What lies less deep is the edge itself, px, and is left out of energies: its steps are no detail
+/// of the medium.
 inline constexpr float kEdgeDepthPx = 2.0F;
 
 /// Nothing for what is not inside, or the edge itself.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 
 #include "fluidymation/core/color.h"
@@ -10,14 +11,11 @@
 
 namespace fluidymation {
 
-/// One frame of the film in so many is looked at: its detail changes slowly.
-inline constexpr int kDetailEvery = 4;
-
-/// The detail of the film's frames, of each as soon as it is asked for.
+/// The detail of the frames of one film, of each as soon as it is asked for.
 class FilmDetail {
  public:
-  /// Of frame `k` of those that the exemplar holds, or one within kDetailEvery frames of it. Which
-  /// one depends on the frame and on what is held alone, not on what was asked for before.
+  /// @param exemplar  always of the same film.
+  /// @param k  of the frames that the exemplar holds.
   [[nodiscard]] const DetailEnergy& of(const Exemplar& exemplar, int k);
 
  private:
@@ -36,25 +34,26 @@ inline constexpr float kLeastDetailGain = 0.75F;
 inline constexpr float kMostDetailGain = 1.25F;
 
 /// The gains that bring a painting's energy to the film's: to that of the film on average at the
-/// depth of each pixel, in the frame of its match. They tend to 1 for few pixels, as
-/// n / (n + 50).
+/// depth of each pixel, in the frame of its match. Their difference from 1 counts n / (n + 50)
+/// for n pixels.
 /// @param painted  the picture's energy.
-/// @param depthPx  distance to the edge, positive inside; of the size of `nnf`.
+/// @param depthPx  distance to the edge, positive inside; of the size of `nnf`. Not stretched in
+///   thin parts, whatever they are painted from: what is seen so near to an edge is to be as strong
+///   as what the film shows there.
 [[nodiscard]] DetailGains detailGains(const Exemplar& exemplar, FilmDetail& film,
                                       const NearestNeighborField& nnf, const Image<float>& depthPx,
                                       const DetailEnergy& painted);
 
 /// Brings the finest detail of a painted picture to the film's own energy: averaging and smooth
 /// matches have taken from it, and seams have added to it. What the film has as energy depends on
-/// its rim and inside, on how deep a place lies and on the film's time; within rim and inside a
-/// painting's detail is enlarged or made smaller as a whole, so that it stays where it is. Not in
-/// the thesis; docs/quality.md has the figures.
+/// how deep a place lies and on the film's time. Of the rim, the edge included, and of the inside
+/// each band is enlarged or made smaller as a whole, so that detail stays where it is. Not in the
+/// thesis; docs/quality.md has the figures.
 /// @param share  of the change that is made, in [0, 1].
-/// @param mask     of the painted pixels.
+/// @param mask     of the target; pixels outside it that its outline cuts stay as they are.
 /// @param depthPx  distance to the edge, positive inside, px.
 /// @param picture  of their size; changed inside the mask. Colours may leave the gamut.
 void restoreDetail(const Exemplar& exemplar, FilmDetail& film, const NearestNeighborField& nnf,
-                   const Mask& mask, const Image<float>& depthPx, float share,
-                   Image<Lab>& picture);
+                   const Mask& mask, const Image<float>& depthPx, float share, Image<Lab>& picture);
 
 }  // namespace fluidymation

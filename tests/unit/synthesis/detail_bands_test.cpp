@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "fluidymation/guides/distance_field.h"
@@ -83,8 +85,8 @@ TEST(DetailBands, AreDifferencesOfGaussiansOfWhatIsInside) {
       const Lab finer = smoothAt(picture, mask, x, y, kDetailSigmasPx[0]);
       const Lab coarser = smoothAt(picture, mask, x, y, kDetailSigmasPx[1]);
       expectNear(bands[0](x, y), {color.l - finer.l, color.a - finer.a, color.b - finer.b}, x, y);
-      expectNear(bands[1](x, y), {finer.l - coarser.l, finer.a - coarser.a, finer.b - coarser.b},
-                 x, y);
+      expectNear(bands[1](x, y), {finer.l - coarser.l, finer.a - coarser.a, finer.b - coarser.b}, x,
+                 y);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "fluidymation/core/random.h"
@@ -138,10 +139,10 @@ TEST_F(DetailRestoration, GoesNoFurtherThanItsBounds) {
   const DetailGains more = gains(film, noisy(kFrame, 77, [](float) { return 1.0F; }));
   const DetailGains less = gains(film, noisy(kFrame, 77, [](float) { return 40.0F; }));
   for (std::size_t band = 0; band < kDetailSigmasPx.size(); ++band) {
-    EXPECT_EQ(more.rim[band], kMostDetailGain);
-    EXPECT_EQ(more.inside[band], kMostDetailGain);
-    EXPECT_EQ(less.rim[band], kLeastDetailGain);
-    EXPECT_EQ(less.inside[band], kLeastDetailGain);
+    EXPECT_NEAR(more.rim[band], kMostDetailGain, 0.02F);
+    EXPECT_NEAR(more.inside[band], kMostDetailGain, 0.02F);
+    EXPECT_NEAR(less.rim[band], kLeastDetailGain, 0.02F);
+    EXPECT_NEAR(less.inside[band], kLeastDetailGain, 0.02F);
   }
 }
 
@@ -149,16 +150,80 @@ TEST_F(DetailRestoration, TrustsFewPixelsLittle) {
   const Exemplar film = filmOf(kTen);
   const test::GrowingDisc speck{disc_.size, disc_.centre, 3.6F, 0.0F, 1};
   const GuideFrame guides = speck.guides(0);
-  const Image<Lab> picture = noisy(kFrame, 77, [](float) { return 9.0F; });
+  NearestNeighborField nnf = matches(kFrame);
+  for (std::size_t i = 0; i < nnf.pixelCount(); ++i) {
+    if (guides.mask.data()[i] == 0) nnf.data()[i] = {};
+  }
+  const Image<Lab> picture = noisy(kFrame, 77, [](float) { return 1.0F; });
   FilmDetail detail;
   const DetailEnergy energy =
       detailEnergy(detailBands(picture, guides.mask), guides.distance, kBorderPx);
-  ASSERT_GT(energy.pixels(0), 0);
-  ASSERT_LT(energy.pixels(0), 12);
-  const DetailGains found =
-      detailGains(film, detail, matches(kFrame), guides.distance, energy);
-  EXPECT_NEAR(found.rim[0], 1.0F, 0.1F);
+  const auto pixels = static_cast<float>(energy.pixels(0) + energy.pixels(1));
+  ASSERT_GT(pixels, 0.0F);
+  ASSERT_LT(pixels, 12.0F);
+  const DetailGains found = detailGains(film, detail, nnf, guides.distance, energy);
+  EXPECT_NEAR(found.rim[0], 1.0F + (kMostDetailGain - 1.0F) * pixels / (pixels + 50.0F), 1e-5F);
   EXPECT_EQ(found.inside[0], 1.0F) << "there is none";
+}
+
+/// A speck at the film's beginning says nothing, and pixels that show it are not compared.
+TEST_F(DetailRestoration, ComparesNoPixelsOfFramesThatAreTooSmall) {
+  const test::GrowingDisc sudden{disc_.size, disc_.centre, 0.5F, 20.0F, 3};
+  Exemplar film(sudden.size, sudden.frameCount, 0, kBorderPx);
+  for (int k = 0; k < sudden.frameCount; ++k) {
+    film.setColor(k, noisy(kFrame, k, kTen));
+    film.setGuides(k, sudden.guides(k));
+  }
+  film.finish();
+  const GuideFrame guides = sudden.guides(2);
+  NearestNeighborField nnf(sudden.size);
+  for (std::size_t i = 0; i < nnf.pixelCount(); ++i) {
+    if (guides.mask.data()[i] == 0) continue;
+    nnf.data()[i] = {0.0F, 0.0F, i % 3 == 0 ? 0 : 2, {}};
+  }
+  const Image<Lab> picture = noisy(kFrame, 77, [](float) { return 9.0F; });
+  FilmDetail detail;
+  const DetailGains found =
+      detailGains(film, detail, nnf, guides.distance,
+                  detailEnergy(detailBands(picture, guides.mask), guides.distance, kBorderPx));
+  for (std::size_t band = 0; band < kDetailSigmasPx.size(); ++band) {
+    EXPECT_NEAR(found.rim[band], 10.0F / 9.0F, 0.06F);  // two noises of a thousand pixels each
+    EXPECT_NEAR(found.inside[band], 10.0F / 9.0F, 0.06F);
+  }
+}
+
+/// Every painting stays finite, whatever there is to compare.
+TEST(RestoredDetail, IsFiniteForAnyShapeAndBorder) {
+  for (const float borderPx : {0.1F, 8.0F, 10000.0F}) {
+    for (const int side : {1, 3, 40}) {
+      for (const float radiusPx : {0.0F, 1.2F, 200.0F}) {
+        const auto middle = static_cast<float>(side / 2);
+        const test::GrowingDisc disc{Size{side, side}, {middle, middle}, radiusPx, 0.0F, 2};
+        Exemplar film(disc.size, disc.frameCount, 0, borderPx);
+        Image<Lab> plain(disc.size);
+        for (Lab& color : plain) color = {40.0F, 5.0F, -5.0F};
+        for (int k = 0; k < disc.frameCount; ++k) {
+          film.setColor(k, plain);
+          film.setGuides(k, disc.guides(k));
+        }
+        film.finish();
+        const GuideFrame guides = disc.guides(0);
+        NearestNeighborField nnf(disc.size);
+        for (std::size_t i = 0; i < nnf.pixelCount(); ++i) {
+          if (guides.mask.data()[i] != 0) nnf.data()[i] = {0.0F, 0.0F, 1, {}};
+        }
+        for (const bool isPlain : {true, false}) {
+          Image<Lab> picture = isPlain ? plain.clone() : test::randomTexture(disc.size, 3);
+          FilmDetail detail;
+          restoreDetail(film, detail, nnf, guides.mask, guides.distance, 1.0F, picture);
+          for (const Lab& color : picture) {
+            ASSERT_TRUE(std::isfinite(color.l + color.a + color.b))
+                << borderPx << ", " << side << ", " << radiusPx;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST_F(DetailRestoration, KeepsMeanColoursAndWhatIsOutside) {
@@ -217,7 +282,7 @@ TEST_F(DetailRestoration, IsTheSameForAnyNumberOfThreads) {
 
 /// What a frame has is the same whatever was asked for before, and from where on a film is held:
 /// else a run that is gone on with would paint something else.
-TEST(FilmDetails, DependOnTheFrameAndOnWhatIsHeldAlone) {
+TEST(FilmDetails, DependOnTheFrameAlone) {
   const test::GrowingDisc disc{Size{64, 64}, {32.0F, 32.0F}, 10.0F, 1.0F, 16};
   const Exemplar whole = test::discExemplar(disc, 0, kBorderPx, 3);
   const Exemplar part = test::heldDiscExemplar(disc, 6, 8, 0, kBorderPx, 3);
@@ -229,17 +294,14 @@ TEST(FilmDetails, DependOnTheFrameAndOnWhatIsHeldAlone) {
     }
     return true;
   };
-  for (int k = 0; k < 16; ++k) {
+  for (int k = 6; k < 14; ++k) {
     FilmDetail fresh;
     EXPECT_TRUE(same(fresh.of(whole, k), known.of(whole, k))) << k;
+    FilmDetail ofPart;
+    EXPECT_TRUE(same(ofPart.of(part, k - 6), known.of(whole, k))) << k;
+    EXPECT_TRUE(same(known.of(part, k - 6), known.of(whole, k))) << k;
   }
-  FilmDetail fresh;
-  EXPECT_TRUE(same(fresh.of(part, 10 - 6), known.of(whole, 10)));
-  EXPECT_TRUE(same(known.of(part, 10 - 6), known.of(whole, 10)));
-  // Frame 7 is told by frame 4 of the whole film, which the part does not hold
-  FilmDetail ofPart;
-  EXPECT_TRUE(same(known.of(part, 7 - 6), ofPart.of(part, 0)));
-  EXPECT_FALSE(same(ofPart.of(part, 0), known.of(whole, 7)));
+  EXPECT_FALSE(same(known.of(whole, 6), known.of(whole, 7)));
 }
 
 }  // namespace
