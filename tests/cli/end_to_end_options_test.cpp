@@ -50,7 +50,6 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
       {"--new-material", "fresh"},
       {"--border-width", "2"},
       {"--prev-modulation-bounds", "0.5,0.25"},
-      {"--lambda", "50"},  // what 0 saves is less than what any other match costs here
       {"--patchmatch-alpha", "0.3"},
       {"--patchmatch-iterations", "1"},
       {"--opt-iterations", "1"},
@@ -68,9 +67,11 @@ TEST(EndToEndFrames, EveryOptionChangesThePainting) {
   uniform["--occ-radius"] = "0";
   EXPECT_TRUE(scene.painting(uniform) != standardUses);
 
-  // The film's detail is known where there are pixels enough
+  // The film's detail, and which of its places are used too often: where there are pixels enough
   const SmallScene larger(2, {64, 56}, {60, 56});
-  EXPECT_TRUE(larger.painting({{"--detail-restoration", "0"}}) != larger.painting({}));
+  const Painting standardLarger = larger.painting({});
+  EXPECT_TRUE(larger.painting({{"--detail-restoration", "0"}}) != standardLarger);
+  EXPECT_TRUE(larger.painting({{"--lambda", "0"}}) != standardLarger);
 }
 
 TEST(EndToEndFrames, TheCompressionLevelChangesTheFilesAndNoPixel) {
