@@ -24,11 +24,20 @@ const std::vector<std::string> kPictureEndings = {".png"};
   return std::filesystem::is_directory(path, ignored);
 }
 
+/// Whether a name ends as files do: what follows its last dot has a letter, as in .png, and is not
+/// a version, as in shot.v1.2.
+[[nodiscard]] bool endsAsFile(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return false;
+  return dot + 1 == name.size() ||
+         name.find_first_not_of("0123456789", dot + 1) != std::string::npos;
+}
+
 /// Whether `path` can only mean a folder, though none is there yet.
 [[nodiscard]] bool looksLikeFolder(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   const std::string name = path.substr(slash == std::string::npos ? 0 : slash + 1);
-  return !path.empty() && name.find_first_of("%#.") == std::string::npos;
+  return !path.empty() && name.find_first_of("%#") == std::string::npos && !endsAsFile(name);
 }
 
 [[nodiscard]] bool isOutputFolder(const std::string& path) {

@@ -26,6 +26,26 @@ constexpr std::size_t kMostSlips = 3;     // beyond, it is another word
   return row[b.size()];
 }
 
+/// Letters with which both words begin.
+[[nodiscard]] std::size_t commonBeginning(const std::string& a, const std::string& b) {
+  const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<std::size_t>(differ.first - a.begin());
+}
+
+/// The candidate that begins most like `word`, which ends otherwise.
+[[nodiscard]] std::string nearestBeginning(const std::string& word,
+                                           const std::vector<std::string>& candidates) {
+  std::string found;
+  std::size_t longest = 0;
+  for (const std::string& candidate : candidates) {
+    const std::size_t common = commonBeginning(word, candidate);
+    if (common <= longest || 4 * common < 3 * std::max(word.size(), candidate.size())) continue;
+    longest = common;
+    found = candidate;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
@@ -39,7 +59,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     smallest = distance;
     found = candidate;
   }
-  return found;
+  return found.empty() ? nearestBeginning(word, candidates) : found;
 }
 
 std::string choiceText(const std::vector<std::string>& words) {

@@ -6,7 +6,8 @@
 namespace fluidymation::cli {
 
 /// The candidate that a slip of the fingers turns into `word`: the one with the fewest letters to
-/// insert, delete or replace (Levenshtein), the first of several; empty where none is near.
+/// insert, delete or replace (Levenshtein). Where none is near, the one that begins most like it,
+/// if three quarters of both are alike. Of several the first; else empty.
 [[nodiscard]] std::string nearest(const std::string& word,
                                   const std::vector<std::string>& candidates);
 

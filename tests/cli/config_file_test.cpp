@@ -176,6 +176,13 @@ TEST(PrintConfig, QuotesWhatItCanAndRefusesTheRest) {
             std::string::npos);
 }
 
+TEST(Nearest, IsElseTheOneThatBeginsMostAlike) {
+  const std::vector<std::string> names = {"--detail", "--detail-restoration", "--src-path"};
+  EXPECT_EQ(nearest("--detail-restore", names), "--detail-restoration");
+  EXPECT_EQ(nearest("--detail-resolution-of", names), "");
+  EXPECT_EQ(nearest("--src-x", names), "");
+}
+
 TEST(Nearest, IsTheWordWithTheFewestSlips) {
   EXPECT_EQ(nearest("fluidd", {"solid", "fluid"}), "fluid");
   EXPECT_EQ(nearest("xyz", {"fluid", "abc"}), "");

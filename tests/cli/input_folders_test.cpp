@@ -83,9 +83,11 @@ TEST(InputFolders, OutputMayBeAFolder) {
   const Folders folders;
   EXPECT_EQ(folders.parsed({}, "new/").outPath, folders.file("new/%05d.png"));
   EXPECT_EQ(folders.parsed({}, "film").outPath, folders.file("film/%05d.png"));
+  EXPECT_EQ(folders.parsed({}, "shot.v1.2").outPath, folders.file("shot.v1.2/%05d.png"));
   EXPECT_EQ(folders.parsed({}, "##.png").outPath, folders.file("##.png"));
   EXPECT_EQ(complaint({"--out-path", "x.png"}).find("--out-path: x.png: contains no frame number"),
             0U);
+  EXPECT_EQ(complaint({"--out-path", "shot.mp4"}).find("--out-path: shot.mp4: "), 0U);
 }
 
 }  // namespace
