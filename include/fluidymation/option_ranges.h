@@ -42,6 +42,7 @@ inline constexpr Range kThresholds{0, 0.5, true};
 inline constexpr Range kWeights{0, 1e6};
 inline constexpr Range kVoteSigmasPx{0, 100};
 inline constexpr Range kSeamWeights{0, 100};  ///< seams of 10 px on either side at 100
+inline constexpr Range kChangeShares{0, 1};
 inline constexpr Range kDetailShares{0, 1};
 inline constexpr Range kDeepenings{0, 1000};
 /// More than the whole drift would be drift the other way.

@@ -12,12 +12,13 @@ namespace fluidymation {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMark = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n'};
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 constexpr std::size_t kDigestBytes = std::tuple_size_v<decltype(Digest::bytes)>;
 
 // What is known of a pixel, one byte each.
 constexpr std::uint8_t kHasMatch = 1;
 constexpr std::uint8_t kOwes = 2;
+constexpr std::uint8_t kIsPainted = 4;
 
 void write(const FrameRecords& frames, ByteWriter& bytes) {
   bytes.count(frames.size());
@@ -73,6 +74,11 @@ void write(const Match& match, ByteWriter& bytes) {
   return match;
 }
 
+/// As a picture is where nothing was painted.
+[[nodiscard]] bool isBlack(const Lab& color) {
+  return color.l == 0.0F && color.a == 0.0F && color.b == 0.0F;
+}
+
 void write(const SynthesisState& state, ByteWriter& bytes) {
   for (const int number : {state.frame, state.size.width, state.size.height, state.box.beginX,
                            state.box.beginY, state.box.endX, state.box.endY, state.filmBegin}) {
@@ -81,13 +87,20 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
   for (std::size_t i = 0; i < state.nnf.pixelCount(); ++i) {
     const bool hasMatch = state.nnf.data()[i].exists();
     const bool owes = state.owed.data()[i] != 0.0F;
-    bytes.byte(static_cast<std::uint8_t>((hasMatch ? kHasMatch : 0) | (owes ? kOwes : 0)));
+    const bool isPainted = !isBlack(state.picture.data()[i]);
+    bytes.byte(static_cast<std::uint8_t>((hasMatch ? kHasMatch : 0) | (owes ? kOwes : 0) |
+                                         (isPainted ? kIsPainted : 0)));
   }
   for (const Match& match : state.nnf) {
     if (match.exists()) write(match, bytes);
   }
   for (const float owed : state.owed) {
     if (owed != 0.0F) bytes.number(owed);
+  }
+  for (const Lab& color : state.picture) {
+    if (isBlack(color)) continue;
+    bytes.words(std::array<std::uint32_t, 3>{
+        ByteWriter::bitsOf(color.l), ByteWriter::bitsOf(color.a), ByteWriter::bitsOf(color.b)});
   }
 }
 
@@ -102,6 +115,7 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
 
 [[nodiscard]] SynthesisState readState(const CheckpointLimits& limits, ByteReader& bytes) {
   constexpr float kLargestOwedPx = 1e9F;
+  constexpr float kLargestColor = 1e4F;  // far outside of every gamut
   SynthesisState state;
   state.frame = bytes.number(1, limits.targetFrames, "the frame");
   state.size.width = bytes.number(1, limits.target.width, "the size");
@@ -117,6 +131,7 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
   for (std::uint8_t& flags : known) flags = bytes.byte();
   state.nnf = NearestNeighborField(state.box.size());
   state.owed = Image<float>(state.box.size());
+  state.picture = Image<Lab>(state.box.size());
   for (std::size_t i = 0; i < pixels; ++i) {
     if ((known[i] & kHasMatch) != 0)
       state.nnf.data()[i] = readMatch(limits, state.filmBegin, bytes);
@@ -125,6 +140,14 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
     if ((known[i] & kOwes) == 0) continue;
     state.owed.data()[i] = bytes.number(-kLargestOwedPx, kLargestOwedPx, "the movement owed");
   }
+  const auto color = [&] { return bytes.number(-kLargestColor, kLargestColor, "a colour"); };
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if ((known[i] & kIsPainted) == 0) continue;
+    Lab& painted = state.picture.data()[i];
+    painted.l = color();
+    painted.a = color();
+    painted.b = color();
+  }
   return state;
 }
 
@@ -132,7 +155,7 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
 
 std::vector<std::uint8_t> encode(const Fingerprint& fingerprint, int begin,
                                  const FrameRecords& frames, const SynthesisState& synthesis) {
-  constexpr std::size_t kPixelBytes = sizeof(Match) + sizeof(float) + 1;  // at most
+  constexpr std::size_t kPixelBytes = sizeof(Match) + sizeof(float) + sizeof(Lab) + 1;  // at most
   ByteWriter bytes;
   bytes.reserve(kPixelBytes * synthesis.nnf.pixelCount());
   for (const std::uint8_t byte : kMark) bytes.byte(byte);

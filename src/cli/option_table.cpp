@@ -288,6 +288,11 @@ void addSynthesis(Table& table) {
              "0: as they are, harder",
              "", ranges::kSeamWeights, "not in the thesis",
              [](CommandLine& c) -> float& { return c.options.synthesis.paintedVote.seamWeight; });
+  table.real("--change-blending", kSynthesis,
+             "where pieces of the film give way to others in a new frame, the\n"
+             "old ones keep this share for one frame; 0: none, livelier",
+             "", ranges::kChangeShares, "not in the thesis",
+             [](CommandLine& c) -> float& { return c.options.synthesis.changeBlending; });
   table.real("--detail-restoration", kSynthesis,
              "brings the finest detail to the film's own strength, by this\n"
              "share; 0: as it was painted, mostly softer",

@@ -14,7 +14,7 @@ namespace {
 PaintedFrame finishedFrame(Painting painting, bool dumps) {
   PaintedFrame frame;
   frame.part = {painting.state.size, painting.state.box};
-  frame.picture = std::move(painting.picture);
+  frame.picture = std::move(painting.state.picture);
   frame.guides.mask = std::move(painting.guides.mask);
   frame.guides.coverage = std::move(painting.guides.coverage);
   if (dumps) frame.nnf = wholeFrame(painting.state.nnf, frame.part);

@@ -51,11 +51,15 @@ constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
 // And while the picture is painted, with --seam-blending 0 or not: the steps wanted across seams,
-// and the changes they make; then, with --detail-restoration 0 or not, both bands of its detail,
-// and of a mask and of a channel the values and two blurs, and a blur that is half done.
+// and the changes they make; the second time, with --change-blending 0 or not, beside the colours
+// of the matches before and where these have changed; then, with --detail-restoration 0 or not,
+// both bands of its detail, and of a mask and of a channel the values and two blurs, and a blur
+// that is half done.
 constexpr double kSeamBytes = 3.0 * 16.0;
 constexpr double kBandBytes = 2.0 * sizeof(Lab) + 7.0 * sizeof(float);
-constexpr double kPictureBytes = std::max(kSeamBytes, kBandBytes + sizeof(std::uint8_t));
+constexpr double kChangeBytes = sizeof(Lab) + sizeof(std::uint8_t);
+constexpr double kPictureBytes =
+    std::max(kSeamBytes + kChangeBytes, kBandBytes + sizeof(std::uint8_t));
 // The same of a frame of the film, with its picture, its mask and distances, whole and cut out.
 constexpr double kFilmDetailBytes =
     kBandBytes + sizeof(Lab) + 2.0 * (sizeof(std::uint8_t) + sizeof(float));
@@ -83,8 +87,9 @@ constexpr double kShapeBytes = 12.0;
 constexpr double kAgeBytes = 4.0 + 4.0 + 1.0 + 4.0;
 constexpr double kAveragedBytes = sizeof(std::uint8_t) + sizeof(Vec2);
 
-// What is needed to go on after a frame, matches and movement owed; its file marks each pixel too.
-constexpr double kStateBytes = sizeof(Match) + sizeof(float);
+// What is needed to go on after a frame, matches, movement owed and picture; its file marks each
+// pixel too.
+constexpr double kStateBytes = sizeof(Match) + sizeof(float) + sizeof(Lab);
 constexpr double kStateFileBytes = kStateBytes + sizeof(std::uint8_t);
 // Per pixel of a frame being written: its picture, mask and coverage, the pixels of the file, and
 // the file, which compression hardly makes larger than they are, twice while it grows; then its
@@ -106,11 +111,10 @@ constexpr double kBareSurfaceBytes =
 // them.
 constexpr double kDumpingBytes = kGuideBytes + sizeof(Match) + 20.0;
 
-// Per pixel of a painting that waits for the frames after it: guides, picture, and twice, as
-// painted first and as revised, matches and movement owed; for the dump all guides once more.
+// Per pixel of a painting that waits for the frames after it: guides, and twice, as painted first
+// and as revised, its state; for the dump all guides once more.
 constexpr double kGuidesKeptBytes = sizeof(std::uint8_t) + 4.0 * sizeof(float) + 4.0 * sizeof(Vec2);
-constexpr double kPaintingKeptBytes =
-    kGuidesKeptBytes + sizeof(Lab) + 2.0 * (sizeof(Match) + sizeof(float));
+constexpr double kPaintingKeptBytes = kGuidesKeptBytes + 2.0 * kStateBytes;
 
 // The program with its libraries, and what does not grow with the pictures.
 constexpr double kProgramBytes = 16.0 * (1 << 20);

@@ -98,6 +98,7 @@ void check(const SynthesisOptions& synthesis) {
   check("--opt-vote-sigma", synthesis.optVoteSigmaPx, ranges::kVoteSigmasPx);
   check("--vote-sigma", synthesis.paintedVote.sigmaPx, ranges::kVoteSigmasPx);
   check("--seam-blending", synthesis.paintedVote.seamWeight, ranges::kSeamWeights);
+  check("--change-blending", synthesis.changeBlending, ranges::kChangeShares);
   check("--detail-restoration", synthesis.detailRestoration, ranges::kDetailShares);
   check("--coherence-weight", synthesis.coherenceWeight, ranges::kWeights);
   check("--lambda", synthesis.lambda, ranges::kWeights);

@@ -152,6 +152,7 @@ void addSynthesis(const SynthesisOptions& synthesis, OptionTexts& texts) {
   texts.emplace_back("--vote-sigma", numberText(synthesis.paintedVote.sigmaPx));
   texts.emplace_back("--vote-interpolation", word(synthesis.paintedVote.interpolation));
   texts.emplace_back("--seam-blending", numberText(synthesis.paintedVote.seamWeight));
+  texts.emplace_back("--change-blending", numberText(synthesis.changeBlending));
   texts.emplace_back("--detail-restoration", numberText(synthesis.detailRestoration));
   texts.emplace_back("--seed", std::to_string(synthesis.seed));
 }

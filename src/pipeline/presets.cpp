@@ -57,6 +57,7 @@ void applyThesisPreset(Options& options) {
   synthesis.finestLevel = FinestLevel::kUpscaled;
   synthesis.optVoteSigmaPx = 0.0F;
   synthesis.paintedVote = {0.0F, Interpolation::kBilinear, 0.0F, 0.0F};
+  synthesis.changeBlending = 0.0F;
   synthesis.detailRestoration = 0.0F;
 }
 

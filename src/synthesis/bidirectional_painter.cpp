@@ -31,7 +31,7 @@ void BidirectionalPainter::revise() {
     const Painting& before = first > 0 ? window_[first - 1] : before_;
     synthesizer_.revise(before, window_[after], window_[first]);
     for (std::size_t held = first + 1; held < after; ++held) {
-      window_[held].picture = window_[first].picture.clone();
+      window_[held].state.picture = window_[first].state.picture.clone();
       window_[held].state.nnf = window_[first].state.nnf.clone();
       window_[held].state.owed = window_[first].state.owed.clone();
     }

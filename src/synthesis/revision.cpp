@@ -58,8 +58,8 @@ void Synthesizer::revise(const Painting& before, const Painting& after, Painting
     nnf = l < finestOptimized() ? upscaled(nnf, l, target)
                                 : revisedField(work, l, nnf, own, fromBefore, fromAfter, target);
   }
-  current.picture =
-      timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, levels.front(), nnf); });
+  current.state.picture = timed(
+      Stage::kPaint, 0, [&] { return paintedPicture(frame, levels.front(), fromBefore, nnf); });
   current.state.nnf = std::move(nnf);
   current.state.filmBegin = filmBegin_;
   toFilmFrames(current.state.nnf, filmBegin_);

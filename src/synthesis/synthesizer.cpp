@@ -6,6 +6,7 @@
 
 #include "fluidymation/core/parallel.h"
 #include "fluidymation/guides/local_thickness.h"
+#include "fluidymation/synthesis/change_blend.h"
 #include "fluidymation/synthesis/depth_fit.h"
 #include "fluidymation/synthesis/merge.h"
 #include "fluidymation/synthesis/nnf_scaling.h"
@@ -193,13 +194,17 @@ Image<Lab> Synthesizer::paintBox(const GuideFrame& frame) {
                                 : optimizedField(l, nnf, shifted, fresh, target);
   }
   nnf_ = std::move(nnf);
-  return timed(Stage::kPaint, 0, [&] { return paintedPicture(frame, levels.front(), nnf_); });
+  return timed(Stage::kPaint, 0,
+               [&] { return paintedPicture(frame, levels.front(), shifted, nnf_); });
 }
 
 Image<Lab> Synthesizer::paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
+                                       const NearestNeighborField& previous,
                                        const NearestNeighborField& nnf) {
   Image<Lab> picture = paintedVote(exemplar_.level(0), paintedPixels(guides), nnf,
                                    options_.paintedVote, &finest.guides);
+  blendChanges(exemplar_.level(0), finest, previous, nnf, options_.changeBlending,
+               options_.paintedVote, picture);
   restoreDetail(exemplar_, filmDetail_, nnf, guides.mask, guides.distance,
                 options_.detailRestoration, picture);
   return picture;
@@ -209,7 +214,6 @@ Painting Synthesizer::painting() const {
   Painting last;
   last.state = state();
   last.guides = croppedGuides(guides_, box_, box_);
-  last.picture = picture_.clone();
   last.held = held_;
   return last;
 }
@@ -230,7 +234,8 @@ DistanceWeights Synthesizer::weights() const {
 }
 
 SynthesisState Synthesizer::state() const {
-  SynthesisState state{frame_, size_, box_, nnf_.clone(), owed_.clone(), filmBegin_};
+  SynthesisState state{frame_,           size_,     box_, nnf_.clone(), owed_.clone(),
+                       picture_.clone(), filmBegin_};
   toFilmFrames(state.nnf, filmBegin_);
   for (std::size_t i = 0; i < state.owed.pixelCount(); ++i) {
     // Left over from before an empty frame; `shift` does not look at it
@@ -257,9 +262,7 @@ void Synthesizer::restore(SynthesisState state, const FramePart& part, const Gui
   toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
   owed_ = std::move(state.owed);
   guides_ = croppedGuides(last, part.box, box_);
-  picture_ = countInside(guides_.mask) > 0
-                 ? paintedPicture(guides_, levelsOf(guides_).front(), nnf_)
-                 : Image<Lab>(box_.size());
+  picture_ = std::move(state.picture);
 }
 
 std::vector<TargetLevel> Synthesizer::levelsOf(const GuideFrame& frame) const {

@@ -108,6 +108,8 @@ const std::vector<Reaching>& reachingOptions() {
       {"--opt-vote-sigma", "0.7", [](C c) { return c.options.synthesis.optVoteSigmaPx == 0.7F; }},
       {"--seam-blending", "2",
        [](C c) { return c.options.synthesis.paintedVote.seamWeight == 2.0F; }},
+      {"--change-blending", "0.75",
+       [](C c) { return c.options.synthesis.changeBlending == 0.75F; }},
       {"--detail-restoration", "0.25",
        [](C c) { return c.options.synthesis.detailRestoration == 0.25F; }},
       {"--vote-sigma", "1.5", [](C c) { return c.options.synthesis.paintedVote.sigmaPx == 1.5F; }},

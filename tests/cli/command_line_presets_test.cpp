@@ -67,6 +67,7 @@ TEST(CommandLine, TheThesisPresetHasItsRulesAndGivesWayToOtherOptions) {
   EXPECT_EQ(thesis.sigmaPx, 0.0F);
   EXPECT_EQ(thesis.depthSigmaPx, 0.0F);
   EXPECT_EQ(thesis.seamWeight, 0.0F);
+  EXPECT_EQ(all.synthesis.changeBlending, 0.0F);
   EXPECT_EQ(all.synthesis.detailRestoration, 0.0F);
   EXPECT_EQ(thesis.interpolation, Interpolation::kBilinear);
   const VoteOptions standard = parse(kRequired).options.synthesis.paintedVote;
@@ -103,6 +104,7 @@ TEST(CommandLine, ThePaperPresetHasTheNumbersOfItsTableAndItsRules) {
   EXPECT_EQ(s.prevColorCorrection, 0.0F);
   EXPECT_EQ(s.optVoteSigmaPx, 0.0F);
   EXPECT_EQ(s.paintedVote.seamWeight, 0.0F);
+  EXPECT_EQ(s.changeBlending, 0.0F);
   EXPECT_EQ(s.detailRestoration, 0.0F);
   EXPECT_EQ(s.lambda, 1.0F);
   EXPECT_EQ(s.prevModulation.upper, 0.1F);

@@ -14,11 +14,13 @@ namespace {
   state.filmBegin = 1;
   state.nnf = NearestNeighborField(state.box.size());
   state.owed = Image<float>(state.box.size());
+  state.picture = Image<Lab>(state.box.size());
   for (std::size_t i = 0; i < state.nnf.pixelCount(); i += 7) {
     const float angleRad = 0.1F * static_cast<float>(i);
     state.nnf.data()[i] = {0.25F * static_cast<float>(i % 90), 17.5F, 1 + static_cast<int>(i % 3),
                            Rotation{std::cos(angleRad), std::sin(angleRad)}};
     if (i % 2 == 0) state.owed.data()[i] = 0.5F - 0.01F * static_cast<float>(i);
+    state.picture.data()[i] = {0.25F * static_cast<float>(i), 12.0F, -7.5F};
   }
   return state;
 }

@@ -2,8 +2,6 @@
 
 #include <memory>
 
-#include "fluidymation/core/color.h"
-#include "fluidymation/core/image.h"
 #include "fluidymation/guides/guide_frame.h"
 #include "fluidymation/synthesis/synthesis_state.h"
 
@@ -12,11 +10,10 @@ namespace fluidymation {
 /// A painted frame with what the frames before and after it need of it, as far as that lies in
 /// `state.box`, a box round its mask.
 struct Painting {
-  SynthesisState state;  ///< the frame's matches; once it is revised, `forward` is another one
+  SynthesisState state;  ///< matches and picture; once it is revised, `forward` is another one
   /// To go on from after the frame, as it was painted first; none where `state` is that.
   std::shared_ptr<const SynthesisState> forward;
   GuideFrame guides;
-  Image<Lab> picture;
   bool held = false;  ///< whether it is the frame before once more
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fluidymation/core/box.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/core/image.h"
 #include "fluidymation/synthesis/nnf.h"
@@ -15,11 +16,12 @@ struct SynthesisState {
   Box box;                   ///< what was worked on of it
   NearestNeighborField nnf;  ///< of the box; frames are numbered as in the whole film
   Image<float> owed;         ///< likewise; movement kept for later, px, 0 where there is no match
+  Image<Lab> picture;        ///< likewise; what was painted, which a hold shows once more
   /// The first film frame that was held (`Exemplar::firstFrame`) when the matches were found.
   int filmBegin = 0;
 
   [[nodiscard]] SynthesisState clone() const {
-    return {frame, size, box, nnf.clone(), owed.clone(), filmBegin};
+    return {frame, size, box, nnf.clone(), owed.clone(), picture.clone(), filmBegin};
   }
 };
 

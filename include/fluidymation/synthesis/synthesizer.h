@@ -104,7 +104,9 @@ class Synthesizer {
   };
 
   /// The picture that matches give the part `guides` of a frame.
+  /// @param previous  the matches of the frame before, shifted to this one.
   [[nodiscard]] Image<Lab> paintedPicture(const GuideFrame& guides, const TargetLevel& finest,
+                                          const NearestNeighborField& previous,
                                           const NearestNeighborField& nnf);
 
   /// Goes by what the exemplar holds now, where it has advanced.

@@ -35,12 +35,15 @@ SynthesisState state() {
   result.filmBegin = 2;
   result.nnf = NearestNeighborField(result.box.size());
   result.owed = Image<float>(result.box.size());
+  result.picture = Image<Lab>(result.box.size());
   for (std::size_t i = 0; i < result.nnf.pixelCount(); i += 3) {
     const float angle = 0.1F * static_cast<float>(i);
     Match& match = result.nnf.data()[i];
     match = {0.25F * static_cast<float>(i % 90), 17.5F, 2 + static_cast<int>(i / 3 % 3),
              Rotation{std::cos(angle), std::sin(angle)}};
     if (i % 2 == 0) result.owed.data()[i] = 0.5F - 0.01F * static_cast<float>(i);
+    // Also beside a match, where an outline cuts a pixel, and beyond white
+    result.picture.data()[i + i % 2] = {0.75F * static_cast<float>(i), -3.5F, 0.0F};
   }
   return result;
 }
@@ -83,11 +86,14 @@ TEST(CheckpointTest, ComesBackAsItWas) {
   EXPECT_EQ(std::memcmp(checkpoint->synthesis.owed.data(), expected.owed.data(),
                         expected.owed.pixelCount() * sizeof(float)),
             0);
+  EXPECT_EQ(std::memcmp(checkpoint->synthesis.picture.data(), expected.picture.data(),
+                        expected.picture.pixelCount() * sizeof(Lab)),
+            0);
 }
 
 TEST(CheckpointTest, IsLittleEndian) {
   const Bytes bytes = encoded();
-  const Bytes beginning = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n', 2, 0, 0, 0, 5, 0, 0, 0, '0'};
+  const Bytes beginning = {'F', 'L', 'U', 'I', 'D', 'S', 'T', '\n', 3, 0, 0, 0, 5, 0, 0, 0, '0'};
   EXPECT_TRUE(std::equal(beginning.begin(), beginning.end(), bytes.begin()));
 }
 
@@ -141,6 +147,9 @@ bool isWithinLimits(const Checkpoint& checkpoint) {
          s.box.beginY >= 0 && s.box.endY <= 22 && s.nnf.size() == s.box.size() &&
          s.owed.size() == s.box.size() &&
          std::all_of(s.owed.begin(), s.owed.end(), [](float o) { return std::isfinite(o); }) &&
+         s.picture.size() == s.box.size() &&
+         std::all_of(s.picture.begin(), s.picture.end(),
+                     [](const Lab& c) { return std::isfinite(c.l + c.a + c.b); }) &&
          checkpoint.frames.size() == 4;
 }
 
@@ -194,7 +203,7 @@ TEST(CheckpointTest, OneWithMoreThanARunCanHaveIsRefused) {
 TEST(CheckpointTest, OneOfAnotherFormatIsRefusedByNumber) {
   Bytes bytes = encoded();
   bytes[8] = 9;
-  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }), "it has format 9; wanted 2");
+  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }), "it has format 9; wanted 3");
 }
 
 TEST(CheckpointTest, FilesThatAreNoneAreRefusedByName) {

@@ -21,13 +21,13 @@ namespace fluidymation {
 namespace {
 
 TEST(Memory, ATypicalRunNeedsLittle) {
-  // A long run at the size of docs/performance.md: 369 MiB were measured.
+  // A long run at the size of docs/performance.md: 397 MiB as measured there.
   RunSize run{{400, 222}, 20, {1000, 800}, 400, 2, 2.0F, {1000, 800}};
   run.exemplarMaskPixels = 70'000;
   run.targetMaskPixels = 120'000;
   const std::int64_t bytes = bytesOfRun(run);
-  EXPECT_GT(bytes, 380 << 20);
-  EXPECT_LT(bytes, 600 << 20);
+  EXPECT_GT(bytes, 400 << 20);
+  EXPECT_LT(bytes, 624 << 20);
 }
 
 TEST(Memory, GrowsWithEverySize) {
@@ -107,8 +107,9 @@ TEST(Memory, WithSeveralThreadsAFrameIsInEveryStage) {
   run.threads = 2;
   const std::int64_t sideBySide = bytesOfRun(run);
   const std::int64_t pixels = 1000 * 800;
-  EXPECT_GT(sideBySide - alone, 256 * pixels);
-  EXPECT_LT(sideBySide - alone, 400 * pixels);
+  // A state and its file hold the picture too
+  EXPECT_GT(sideBySide - alone, 280 * pixels);
+  EXPECT_LT(sideBySide - alone, 424 * pixels);
   run.dumps = true;
   EXPECT_GT(bytesOfRun(run) - sideBySide, 72 * pixels);
   EXPECT_LT(bytesOfRun(run) - sideBySide, 200 * pixels);

@@ -101,6 +101,8 @@ const std::vector<Fault>& faults() {
        [](Options& o) { o.synthesis.prevColorCorrection = 1.5F; }},
       {"--opt-vote-sigma -1: ", [](Options& o) { o.synthesis.optVoteSigmaPx = -1.0F; }},
       {"--seam-blending 101: ", [](Options& o) { o.synthesis.paintedVote.seamWeight = 101.0F; }},
+      {"--change-blending nan: wanted a number in [0, 1]",
+       [](Options& o) { o.synthesis.changeBlending = kNan; }},
       {"--detail-restoration 1.5: wanted a number in [0, 1]",
        [](Options& o) { o.synthesis.detailRestoration = 1.5F; }},
       {"--prev-depth-reach -1: ", [](Options& o) { o.synthesis.prevDepthReachFrames = -1; }},

@@ -55,9 +55,9 @@ class BidirectionalPainterTest : public ::testing::Test {
   }
 
   static bool looksAlike(const Painting& a, const Painting& b) {
-    return a.picture.size() == b.picture.size() &&
-           std::memcmp(a.picture.data(), b.picture.data(), a.picture.pixelCount() * sizeof(Lab)) ==
-               0;
+    return a.state.picture.size() == b.state.picture.size() &&
+           std::memcmp(a.state.picture.data(), b.state.picture.data(),
+                       a.state.picture.pixelCount() * sizeof(Lab)) == 0;
   }
 
   /// Frames 0 to `count` - 1 of the disc.

@@ -24,11 +24,6 @@ std::vector<GuideFrame> eventfulTarget() {
   return test::guidesOf(masks, 0.0F);
 }
 
-/// A state as it comes from a file, which moves it.
-SynthesisState copyOf(const SynthesisState& state) {
-  return {state.frame, state.size, state.box, state.nnf.clone(), state.owed.clone()};
-}
-
 TEST_F(SynthesizerTest, GoesOnAfterAnyFrameAsIfNeverStopped) {
   const Exemplar exemplar = test::discExemplar(disc_, 2, kBorderWidthPx, 3);
   for (const SynthesisOptions& options : {smallOptions(), SynthesisOptions{}}) {
@@ -46,7 +41,7 @@ TEST_F(SynthesizerTest, GoesOnAfterAnyFrameAsIfNeverStopped) {
     for (std::size_t stop = 0; stop + 1 < target.size(); ++stop) {
       SCOPED_TRACE(stop);
       Synthesizer resumed(exemplar, options);
-      resumed.restore(copyOf(states[stop]), target[stop]);
+      resumed.restore(states[stop].clone(), target[stop]);
       for (std::size_t j = stop + 1; j < target.size(); ++j) {
         const Image<Lab> picture = resumed.paint(target[j]);
         ASSERT_EQ(
