@@ -186,8 +186,8 @@ struct SynthesisOptions {
   /// smooth patches. Of no account where ages are compared: what is new would look older.
   float optVoteSigmaPx = 0.5F;
   VoteOptions paintedVote;
-  /// How much of a pixel whose match has changed is what it showed in the frame before, moved on as
-  /// the film does, see `blendChanges`; in [0, 1]; 0: nothing, as in the thesis.
+  /// How much, at most, of a pixel whose match has changed is what it showed in the frame before,
+  /// moved on as the film does, see `blendChanges`; in [0, 1]; 0: nothing, as in the thesis.
   float changeBlending = 0.4F;
   /// How far the finest detail of what is painted is brought to the film's own energy, see
   /// `restoreDetail`; in [0, 1]; 0: not at all, as in the thesis.

@@ -3,10 +3,11 @@
 
     measure.py --variants VARIANTS.tsv ...   with a line "rim-alone<TAB><TAB>scripts/quality/rim_alone.py"
 
-A control, no look: it stands in for the tool there and takes those of its options that measure.py gives. What it
-paints has no texture that could be restless, and exactly the film's rim. What a judge sees of flicker in it, or of
-fronts that do not move with the material, comes from the shapes themselves: where a tooth of a cogwheel passes, a
-place lies deep for a moment, and is dark for that moment in every painting whose rim is pale, as the film's.
+A control, no look: it stands in for the tool there and takes those of its options that measure.py gives (it wants
+a smoothing of the masks, and takes all of the film from frame 1). What it paints has no texture that could be
+restless, and exactly the film's rim. What a judge sees of flicker in it, or of fronts that do not move with the
+material, comes from the shapes themselves: where a tooth of a cogwheel passes, a place lies deep for a moment, and is
+dark for that moment in every painting whose rim is pale, as the film's.
 Needs python3-numpy and python3-opencv.
 """
 
@@ -58,7 +59,7 @@ def mean_colors(arguments):
         counts += np.bincount(step, minlength=len(counts))
         for channel in range(3):
             sums[:, channel] += np.bincount(step, lab[..., channel][depth > 0], len(counts))
-    known = np.flatnonzero(counts > FEW)
+    known = np.flatnonzero(counts >= FEW)
     if not known.size:
         sys.exit(f"rim_alone.py: {arguments.src_mask_path}: covers next to nothing; wanted the masks of a film")
     means = sums[known] / counts[known, None]
@@ -72,7 +73,7 @@ def main():
         parser.add_argument(name, required=True, metavar="PATTERN", help="as of the tool, with %%05d")
     parser.add_argument("--target-start", type=int, default=1)
     parser.add_argument("--target-frames", type=int, default=50)
-    parser.add_argument("--blur-sigma", type=float, default=0.0, help="px")
+    parser.add_argument("--blur-sigma", type=float, required=True, help="px; the tool's own choice is not made here")
     parser.add_argument("--mask-threshold", type=float, default=0.3)
     parser.add_argument("--threads", help="of no account")
     parser.add_argument("--quiet", action="store_true", help="it always is")

@@ -155,9 +155,8 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
 
 std::vector<std::uint8_t> encode(const Fingerprint& fingerprint, int begin,
                                  const FrameRecords& frames, const SynthesisState& synthesis) {
-  constexpr std::size_t kPixelBytes = sizeof(Match) + sizeof(float) + sizeof(Lab) + 1;  // at most
   ByteWriter bytes;
-  bytes.reserve(kPixelBytes * synthesis.nnf.pixelCount());
+  bytes.reserve(kMostPixelBytes * synthesis.nnf.pixelCount());
   for (const std::uint8_t byte : kMark) bytes.byte(byte);
   bytes.number(kFormat);
   write(fingerprint, bytes);

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "checkpoint/fingerprint.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/geometry.h"
 #include "fluidymation/io/digest.h"
+#include "fluidymation/synthesis/nnf.h"
 #include "fluidymation/synthesis/synthesis_state.h"
 
 namespace fluidymation {
@@ -42,6 +45,9 @@ struct CheckpointLimits {
   Size target;
   int targetFrames = 0;
 };
+
+/// Bytes of a pixel in a file, at most: flags, match, movement owed, colour.
+inline constexpr std::size_t kMostPixelBytes = 1 + sizeof(Match) + sizeof(float) + sizeof(Lab);
 
 /// The checkpoint as the bytes of a file: a mark, the format's version, the fields, and the digest
 /// of all that. Numbers are little-endian.

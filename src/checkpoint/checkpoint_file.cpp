@@ -11,12 +11,11 @@ namespace {
 /// No state is larger. One of another run may have more frames than this one, and is still to be
 /// told in what it differs.
 [[nodiscard]] std::int64_t mostBytes(const CheckpointLimits& limits) {
-  constexpr std::int64_t kPixelBytes = 25;        // flags, match, movement owed
   constexpr std::int64_t kRecordBytes = 25;       // flag, digest, seconds
   constexpr std::int64_t kFileBytes = 20;         // number, digest
   constexpr std::int64_t kOptionBytes = 1 << 10;  // name and value: lists of 32 numbers at most
   constexpr std::int64_t kOtherBytes = 1 << 10;   // mark, version, box, digest
-  return kPixelBytes * limits.target.width * limits.target.height +
+  return static_cast<std::int64_t>(kMostPixelBytes) * limits.target.width * limits.target.height +
          (kRecordBytes + kFileBytes * static_cast<std::int64_t>(kMostInputs)) *
              static_cast<std::int64_t>(kMostFrames) +
          kOptionBytes * static_cast<std::int64_t>(kMostOptions + kMostInputs) + kOtherBytes;

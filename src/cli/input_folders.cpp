@@ -24,13 +24,13 @@ const std::vector<std::string> kPictureEndings = {".png"};
   return std::filesystem::is_directory(path, ignored);
 }
 
-/// Whether a name ends as files do: what follows its last dot has a letter, as in .png, and is not
-/// a version, as in shot.v1.2.
+/// Whether a name ends as files do, .png for instance, and not with a version, as in shot.v2 and
+/// shot.v1.2.
 [[nodiscard]] bool endsAsFile(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos) return false;
-  return dot + 1 == name.size() ||
-         name.find_first_not_of("0123456789", dot + 1) != std::string::npos;
+  const std::size_t number = name.compare(dot, 2, ".v") == 0 ? dot + 2 : dot + 1;
+  return number == name.size() || name.find_first_not_of("0123456789", number) != std::string::npos;
 }
 
 /// Whether `path` can only mean a folder, though none is there yet.

@@ -7,7 +7,8 @@ namespace fluidymation::cli {
 
 /// The candidate that a slip of the fingers turns into `word`: the one with the fewest letters to
 /// insert, delete or replace (Levenshtein). Where none is near, the one that begins most like it,
-/// if three quarters of both are alike. Of several the first; else empty.
+/// if the common beginning is at least three quarters of the longer word. Of several the first;
+/// empty where there is none.
 [[nodiscard]] std::string nearest(const std::string& word,
                                   const std::vector<std::string>& candidates);
 

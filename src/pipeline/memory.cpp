@@ -51,8 +51,8 @@ constexpr double kPaintingBytes = 226.0;  // the guides round the mask only
 // 16-bit rows. It counts on its own where a frame is scaled down.
 constexpr double kDecodingBytes = 28.0;
 // And while the picture is painted, with --seam-blending 0 or not: the steps wanted across seams,
-// and the changes they make; the second time, with --change-blending 0 or not, beside the colours
-// of the matches before and where these have changed; then, with --detail-restoration 0 or not,
+// and the changes they make; with --change-blending twice, the second time beside the colours voted
+// for the old matches and the mask of what has changed; then, with --detail-restoration 0 or not,
 // both bands of its detail, and of a mask and of a channel the values and two blurs, and a blur
 // that is half done.
 constexpr double kSeamBytes = 3.0 * 16.0;

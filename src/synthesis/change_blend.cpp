@@ -12,27 +12,28 @@ namespace fluidymation {
 namespace {
 
 /// Where the frame before shows another piece of the exemplar.
-Mask changedPixels(const TargetLevel& target, const NearestNeighborField& previous,
-                   const NearestNeighborField& nnf) {
+[[nodiscard]] Mask changedPixels(const TargetLevel& target, const NearestNeighborField& previous,
+                                 const NearestNeighborField& nnf) {
   Mask changed(nnf.size());
   forEachRow(nnf.height(), [&](int y) {
     for (int x = 0; x < nnf.width(); ++x) {
       const Match& before = previous(x, y);
-      const bool known = target.inside(x, y) && before.exists() && nnf(x, y).exists();
-      changed(x, y) = known && !areAlike(before, nnf(x, y)) ? 1 : 0;
+      const bool hasBoth = target.inside(x, y) && before.exists() && nnf(x, y).exists();
+      const bool hasChanged = hasBoth && !areAlike(before, nnf(x, y));
+      changed(x, y) = hasChanged ? 1 : 0;
     }
   });
   return changed;
 }
 
 /// How much an old piece counts by its depth: 1 where it lies as deep as the pixel.
-float depthTrust(const ExemplarLevel& finest, float wantedPx, const Match& match) {
+[[nodiscard]] float oldPieceTrust(const ExemplarLevel& finest, float wantedPx, const Match& match) {
   const int x = std::clamp(match.nearestX(), 0, finest.size().width - 1);
   const int y = std::clamp(match.nearestY(), 0, finest.size().height - 1);
   const float widthPx = finest.borderWidthPx();
   const float apart =
       modulationDifference(wantedPx, finest.modulationDistancePx(x, y, match.frame), widthPx) /
-      (kChangeDepthSigma * widthPx);
+      (kChangeDepthSigmaWidths * widthPx);
   return std::exp(-0.5F * apart * apart);
 }
 
@@ -52,7 +53,7 @@ void blendChanges(const ExemplarLevel& finest, const TargetLevel& target,
     for (int x = 0; x < picture.width(); ++x) {
       if (changed(x, y) == 0) continue;
       const float weight =
-          share * depthTrust(finest, target.modulationDistancePx(x, y), previous(x, y));
+          share * oldPieceTrust(finest, target.modulationDistancePx(x, y), previous(x, y));
       const Lab& old = before(x, y);
       Lab& color = picture(x, y);
       color = {color.l + weight * (old.l - color.l), color.a + weight * (old.a - color.a),

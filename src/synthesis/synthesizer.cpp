@@ -258,6 +258,8 @@ void Synthesizer::restore(SynthesisState state, const FramePart& part, const Gui
   frame_ = state.frame;
   size_ = state.size;
   box_ = state.box;
+  assert(state.nnf.size() == box_.size() && state.owed.size() == box_.size() &&
+         state.picture.size() == box_.size());
   nnf_ = std::move(state.nnf);
   toHeldFrames(nnf_, filmBegin_, exemplar_.frameCount());
   owed_ = std::move(state.owed);

@@ -176,13 +176,6 @@ TEST(PrintConfig, QuotesWhatItCanAndRefusesTheRest) {
             std::string::npos);
 }
 
-TEST(Nearest, IsElseTheOneThatBeginsMostAlike) {
-  const std::vector<std::string> names = {"--detail", "--detail-restoration", "--src-path"};
-  EXPECT_EQ(nearest("--detail-restore", names), "--detail-restoration");
-  EXPECT_EQ(nearest("--detail-resolution-of", names), "");
-  EXPECT_EQ(nearest("--src-x", names), "");
-}
-
 TEST(Nearest, IsTheWordWithTheFewestSlips) {
   EXPECT_EQ(nearest("fluidd", {"solid", "fluid"}), "fluid");
   EXPECT_EQ(nearest("xyz", {"fluid", "abc"}), "");
@@ -190,6 +183,13 @@ TEST(Nearest, IsTheWordWithTheFewestSlips) {
   EXPECT_EQ(choiceText({"a", "b", "c"}), "a, b or c");
   EXPECT_EQ(choiceText({"a", "b"}), "a or b");
   EXPECT_EQ(choiceText({"a"}), "a");
+}
+
+TEST(Nearest, IsElseTheOneThatBeginsMostAlike) {
+  const std::vector<std::string> names = {"--detail", "--detail-restoration", "--src-path"};
+  EXPECT_EQ(nearest("--detail-restore", names), "--detail-restoration");
+  EXPECT_EQ(nearest("--detail-resolution-of", names), "");
+  EXPECT_EQ(nearest("--src-x", names), "");
 }
 
 }  // namespace

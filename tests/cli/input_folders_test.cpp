@@ -83,11 +83,15 @@ TEST(InputFolders, OutputMayBeAFolder) {
   const Folders folders;
   EXPECT_EQ(folders.parsed({}, "new/").outPath, folders.file("new/%05d.png"));
   EXPECT_EQ(folders.parsed({}, "film").outPath, folders.file("film/%05d.png"));
-  EXPECT_EQ(folders.parsed({}, "shot.v1.2").outPath, folders.file("shot.v1.2/%05d.png"));
+  for (const std::string version : {"shot.v1.2", "shot.v2", "v12", "1.0"}) {
+    EXPECT_EQ(folders.parsed({}, version).outPath, folders.file(version + "/%05d.png"));
+  }
   EXPECT_EQ(folders.parsed({}, "##.png").outPath, folders.file("##.png"));
   EXPECT_EQ(complaint({"--out-path", "x.png"}).find("--out-path: x.png: contains no frame number"),
             0U);
-  EXPECT_EQ(complaint({"--out-path", "shot.mp4"}).find("--out-path: shot.mp4: "), 0U);
+  for (const std::string file : {"shot.mp4", "shot.vob", "shot.v", "shot.v2.exr", "shot."}) {
+    EXPECT_EQ(complaint({"--out-path", file}).find("--out-path: " + file + ": "), 0U) << file;
+  }
 }
 
 }  // namespace

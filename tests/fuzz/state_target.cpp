@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checkpoint/checkpoint_file.h"
+#include "fluidymation/core/color.h"
 #include "fluidymation/core/error.h"
 #include "fluidymation/core/index.h"
 #include "fluidymation/synthesis/pyramid.h"
@@ -36,17 +37,23 @@ class Scene {
     }
   }
 
-  /// Paints the frame after the state's.
+  /// Shows the state's picture once more, as a hold does, and paints the frame after it.
   void goOn(SynthesisState state) const {
     const int next = state.frame;
     if (next >= kStateLimits.targetFrames) return;
     Synthesizer synthesizer(exemplars_[at(state.filmBegin)], options_);
-    synthesizer.restore(std::move(state), target_.guides(next - 1));
-    const Image<Lab> picture = synthesizer.paint(target_.guides(next));
-    require(picture.size() == target_.size, "a frame has the target's size");
+    GuideFrame held = target_.guides(next - 1);
+    held.flow = Image<Vec2>(target_.size);
+    synthesizer.restore(std::move(state), held);
+    show(synthesizer.paint(held));
+    show(synthesizer.paint(target_.guides(next)));
   }
 
  private:
+  void show(const Image<Lab>& picture) const {
+    require(picture.size() == target_.size, "a frame has the target's size");
+    for (const Lab& color : picture) (void)encoder_(color);
+  }
   [[nodiscard]] static test::GrowingDisc film() {
     test::GrowingDisc disc;
     disc.size = kStateLimits.exemplar;
@@ -56,6 +63,7 @@ class Scene {
     return disc;
   }
 
+  SrgbByteEncoder encoder_;
   test::GrowingDisc target_;
   SynthesisOptions options_;
   std::vector<Exemplar> exemplars_;  ///< by the first frame that is held

@@ -14,7 +14,7 @@ enum class Stage {
   kRepair,
   kVote,
   kSearch,
-  kPaint,  ///< the vote that is painted
+  kPaint,  ///< the picture: votes, blended changes, restored detail
 };
 
 /// Is told, in the painting thread, what a Synthesizer does.

@@ -9,7 +9,8 @@
 namespace fluidymation {
 
 /// What a Synthesizer needs to go on after a frame, beside that frame's guides, which can be made
-/// again: after each frame alike, so that it may be taken after any.
+/// again: after each frame alike, so that it may be taken after any. All pictures are of the box's
+/// size.
 struct SynthesisState {
   int frame = 0;             ///< frames painted so far
   Size size;                 ///< of the whole frame; 0x0 before the first

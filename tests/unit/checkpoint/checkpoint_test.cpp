@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include "checkpoint/checkpoint_file.h"
 #include "fluidymation/core/error.h"
@@ -43,7 +45,7 @@ SynthesisState state() {
              Rotation{std::cos(angle), std::sin(angle)}};
     if (i % 2 == 0) result.owed.data()[i] = 0.5F - 0.01F * static_cast<float>(i);
     // Also beside a match, where an outline cuts a pixel, and beyond white
-    result.picture.data()[i + i % 2] = {0.75F * static_cast<float>(i), -3.5F, 0.0F};
+    result.picture.data()[i + i % 2] = {1.5F * static_cast<float>(i), -3.5F, 0.0F};
   }
   return result;
 }
@@ -120,6 +122,40 @@ TEST(CheckpointTest, NoOtherLengthIsTakenForIt) {
   longer.push_back(0);
   EXPECT_THROW((void)decoded(longer), Error);
   EXPECT_THROW((void)decoded(forged(longer)), Error);
+}
+
+TEST(CheckpointTest, ColorsFarOutsideOfEveryGamutAreRefused) {
+  for (const float color : {2e4F, -2e4F, std::numeric_limits<float>::quiet_NaN()}) {
+    SynthesisState bad = state();
+    bad.picture.data()[6].b = color;
+    EXPECT_EQ(messageOf<Error>([&] { (void)decoded(encode(fingerprint(), 0, frames(), bad)); }),
+              "it is damaged: a colour is out of range");
+  }
+}
+
+TEST(CheckpointTest, NoPixelTakesMoreThanIsReckonedWith) {
+  SynthesisState full = state();
+  const std::size_t before = encode(fingerprint(), 0, frames(), full).size();
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < full.nnf.pixelCount(); ++i) {
+    more += full.nnf.data()[i].exists() ? 0 : sizeof(Match);
+    more += full.owed.data()[i] != 0.0F ? 0 : sizeof(float);
+    more += full.picture.data()[i].l != 0.0F || full.picture.data()[i].a != 0.0F ? 0 : sizeof(Lab);
+    full.nnf.data()[i] = {1.0F, 1.0F, 2, Rotation{}};
+    full.owed.data()[i] = 1.0F;
+    full.picture.data()[i] = {50.0F, 1.0F, 2.0F};
+  }
+  const Bytes bytes = encode(fingerprint(), 0, frames(), full);
+  EXPECT_EQ(bytes.size(), before + more);
+  const Bytes empty = [] {
+    SynthesisState none = state();
+    none.box = {};
+    none.nnf = {};
+    none.owed = {};
+    none.picture = {};
+    return encode(fingerprint(), 0, frames(), none);
+  }();
+  EXPECT_EQ(bytes.size() - empty.size(), kMostPixelBytes * full.nnf.pixelCount());
 }
 
 TEST(CheckpointTest, OneOfFramesThatAreNotHeldIsRefused) {

@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <utility>
 #include <vector>
 
 #include "support/synthetic_scene.h"
+#include "synthesizer_fixture.h"
 
 namespace fluidymation {
 namespace {
-
-constexpr float kBorderWidthPx = 5.0F;
 
 /// A disc that shrinks in every frame, painted in an exemplar that grows.
 class BidirectionalPainterTest : public ::testing::Test {
@@ -55,9 +53,7 @@ class BidirectionalPainterTest : public ::testing::Test {
   }
 
   static bool looksAlike(const Painting& a, const Painting& b) {
-    return a.state.picture.size() == b.state.picture.size() &&
-           std::memcmp(a.state.picture.data(), b.state.picture.data(),
-                       a.state.picture.pixelCount() * sizeof(Lab)) == 0;
+    return sameBytes(a.state.picture, b.state.picture);
   }
 
   /// Frames 0 to `count` - 1 of the disc.
@@ -112,6 +108,22 @@ TEST_F(BidirectionalPainterTest, WhatIsRememberedOfBothNeighborsFitsItsDepths) {
   };
   EXPECT_TRUE(looksAlike(revised(0), revised(0)));
   EXPECT_FALSE(looksAlike(revised(0), revised(20)));
+}
+
+TEST_F(BidirectionalPainterTest, WhatIsRevisedDissolvesToo) {
+  const std::vector<int> frames{0, 1, 2};
+  const auto revised = [&](float share) {
+    options_.changeBlending = 0.0F;  // of what is painted first
+    std::vector<Painting> painted = paintForward(frames);
+    SynthesisOptions options = options_;
+    options.changeBlending = share;
+    Synthesizer(exemplar_, options).revise(painted[0], painted[2], painted[1]);
+    return std::move(painted[1]);
+  };
+  const Painting atOnce = revised(0.0F);
+  const Painting dissolved = revised(0.4F);
+  EXPECT_TRUE(sameBytes(atOnce.state.nnf, dissolved.state.nnf));
+  EXPECT_FALSE(looksAlike(atOnce, dissolved));
 }
 
 TEST_F(BidirectionalPainterTest, AHoldStaysOnePicture) {

@@ -80,7 +80,10 @@ TEST_F(SynthesizerTest, PaintsAPartAsTheWholeFrame) {
       EXPECT_TRUE(sameBytes(ofWhole.nnf(), ofParts.nnf())) << j;
       Synthesizer resumed(exemplar, options);
       resumed.restore(ofParts.state(), guides);
+      resumed.paint(guides);
+      ofParts.paint(guides);
       EXPECT_TRUE(sameBytes(resumed.picture(), ofParts.picture())) << j;
+      (void)ofWhole.paint(whole);
     }
   }
 }
@@ -207,6 +210,7 @@ TEST_F(SynthesizerTest, EveryWeightChangesThePicture) {
   differs("prev-weight", [](SynthesisOptions& o) { o.prevWeight = 0.0F; });
   differs("prev-deepening", [](SynthesisOptions& o) { o.prevDeepening = 2.5F; });
   differs("coherence-weight", [](SynthesisOptions& o) { o.coherenceWeight = 100.0F; });
+  differs("change-blending", [](SynthesisOptions& o) { o.changeBlending = 0.5F; });
   differs("detail-restoration", [](SynthesisOptions& o) { o.detailRestoration = 1.0F; });
   differs("prevGain", [](SynthesisOptions& o) { o.prevGain = 2.0F; });
   differs("lambda", [](SynthesisOptions& o) { o.lambda = 0.0F; });
