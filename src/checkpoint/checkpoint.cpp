@@ -19,6 +19,7 @@ constexpr std::size_t kDigestBytes = std::tuple_size_v<decltype(Digest::bytes)>;
 constexpr std::uint8_t kHasMatch = 1;
 constexpr std::uint8_t kOwes = 2;
 constexpr std::uint8_t kIsPainted = 4;
+constexpr std::uint8_t kMostFlags = kHasMatch | kOwes | kIsPainted;
 
 void write(const FrameRecords& frames, ByteWriter& bytes) {
   bytes.count(frames.size());
@@ -128,7 +129,10 @@ void write(const SynthesisState& state, ByteWriter& bytes) {
                       static_cast<std::size_t>(state.box.size().height);
   if (pixels > bytes.left()) throw Error("it is damaged: it ends too early");
   std::vector<std::uint8_t> known(pixels);
-  for (std::uint8_t& flags : known) flags = bytes.byte();
+  for (std::uint8_t& flags : known) {
+    flags = bytes.byte();
+    if (flags > kMostFlags) throw Error("it is damaged: the flags of a pixel are out of range");
+  }
   state.nnf = NearestNeighborField(state.box.size());
   state.owed = Image<float>(state.box.size());
   state.picture = Image<Lab>(state.box.size());

@@ -39,7 +39,9 @@ constexpr std::size_t kMostSlips = 3;     // beyond, it is another word
   std::size_t longest = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t common = commonBeginning(word, candidate);
-    if (common <= longest || 4 * common < 3 * std::max(word.size(), candidate.size())) continue;
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    const bool isAlike = 4 * common >= 3 * longer;  // three quarters: --src-x is no --src-path
+    if (common <= longest || !isAlike) continue;
     longest = common;
     found = candidate;
   }

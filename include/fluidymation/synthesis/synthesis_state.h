@@ -9,7 +9,7 @@
 namespace fluidymation {
 
 /// What a Synthesizer needs to go on after a frame, beside that frame's guides, which can be made
-/// again: after each frame alike, so that it may be taken after any. All pictures are of the box's
+/// again: after each frame alike, so that it may be taken after any. All images are of the box's
 /// size.
 struct SynthesisState {
   int frame = 0;             ///< frames painted so far

@@ -133,6 +133,19 @@ TEST(CheckpointTest, ColorsFarOutsideOfEveryGamutAreRefused) {
   }
 }
 
+TEST(CheckpointTest, FlagsThatNothingIsKnownOfAreRefused) {
+  Bytes bytes = encoded();
+  SynthesisState bare = state();
+  // The same but for the first pixel's match tells where its flags are
+  bare.nnf.data()[0] = Match{};
+  const Bytes other = encode(fingerprint(), 0, frames(), bare);
+  const auto differ = std::mismatch(bytes.begin(), bytes.end(), other.begin(), other.end());
+  ASSERT_EQ(*differ.first & 1, 1);
+  *differ.first = static_cast<std::uint8_t>(*differ.first | 8);
+  EXPECT_EQ(messageOf<Error>([&] { (void)decoded(forged(bytes)); }),
+            "it is damaged: the flags of a pixel are out of range");
+}
+
 TEST(CheckpointTest, NoPixelTakesMoreThanIsReckonedWith) {
   SynthesisState full = state();
   const std::size_t before = encode(fingerprint(), 0, frames(), full).size();
