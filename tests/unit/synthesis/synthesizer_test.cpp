@@ -390,8 +390,5 @@ TEST_F(SynthesizerTest, AnObserverIsToldOfEveryStageOnceItRunsAndChangesNothing)
   EXPECT_EQ(recorder.count(), before);
 }
 
-// ---------------------------------------------------------------------------------------------
-// Going on
-
 }  // namespace
 }  // namespace fluidymation
